@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The register of rules: to add a function, write its file and add its line here. Tapes, SIMD kernels,
+// the table of functions and the laws of tests/series run over this list.
+
+#include <type_traits>
+
+#include "jetlag/series/arithmetic.hpp"
+#include "jetlag/series/exp.hpp"
+#include "jetlag/series/log.hpp"
+#include "jetlag/series/power.hpp"
+#include "jetlag/series/sin_cos.hpp"
+#include "jetlag/series/sqrt.hpp"
+
+namespace jetlag {
+
+template <Rule... R>
+struct RuleList {
+  static constexpr int size = sizeof...(R);
+};
+
+using Rules = RuleList<Embed,             //
+                       Add,               //
+                       Subtract,          //
+                       Negate,            //
+                       Offset,            //
+                       Scale,             //
+                       Multiply,          //
+                       Square,            //
+                       Divide,            //
+                       DivideByConstant,  //
+                       Reciprocal,        //
+                       Sqrt,              //
+                       Power,             //
+                       Exp,               //
+                       Log,               //
+                       Sin,               //
+                       Cos>;
+
+namespace detail {
+template <class R, class... Rs>
+consteval int position_in(RuleList<Rs...>) {
+  constexpr bool here[] = {std::is_same_v<R, Rs>...};
+  for (int i = 0; i < static_cast<int>(sizeof...(Rs)); ++i)
+    if (here[i]) return i;
+  return -1;
+}
+}  // namespace detail
+
+/// Position of a rule in the register.
+template <Rule R>
+inline constexpr int rule_id = [] {
+  constexpr int id = detail::position_in<R>(Rules{});
+  static_assert(id >= 0, "add the rule to the register in series/functions.hpp");
+  return id;
+}();
+
+}  // namespace jetlag

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Real powers. Whole exponents are products (see pow in elementary.hpp) and hold at 0 as well.
+
+#include <cmath>
+
+#include "jetlag/series/rule.hpp"
+
+namespace jetlag {
+
+/// p = f^a:   p_0 = f_0^a,   k f_0 p_k = sum_{j=0..k-1} (a (k-j) - j) f_{k-j} p_j.         Source: f p' = a f' p.
+/// a: a constant operand.   Range: f_0 > 0. At f_0 = 0 coefficient 1 is not finite.
+struct Power {
+  static constexpr const char* name = "power";
+  static constexpr std::array reads{Reads::constant, Reads::history, Reads::history};
+  static auto coefficient(int k, const auto& a, const auto& f, const auto& p) {
+    using std::pow;
+    using T = std::decay_t<decltype(f[0] * p[0])>;
+    if (k == 0) return T(pow(f[0], a[0]));
+    T sum = (k * a[0]) * f[k] * p[0];
+    for (int j = 1; j < k; ++j) sum = multiply_add<T>(((k - j) * a[0] - j) * f[k - j], p[j], sum);
+    return T(sum / (k * f[0]));
+  }
+};
+
+}  // namespace jetlag
