@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Recording: a law called once with the scalar `Recorded` leaves its operations on a tape.
+//
+//   Recording recording;
+//   Recorded x = recording.input({Input::Kind::position, 0, 0});
+//   Tape tape = recording.finish({-4.0 * x * x});            // two operations: square, scale
+//
+// Common subexpressions are recorded once, x * x becomes a square, a product with a value that has no series
+// becomes a scaling. A recorded value has no number to compare: `if` on it does not compile.
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "jetlag/series/eigen.hpp"
+#include "jetlag/tape/tape.hpp"
+
+namespace jetlag {
+
+class Recording;
+
+/// The recording scalar: a plain number until it meets a value of a recording.
+class Recorded {
+ public:
+  Recorded() = default;
+  Recorded(double value) : value_(value) {}  // implicit: numbers are constants of the law
+  Recorded(Recording* recording, int node) : recording_(recording), node_(node) {}
+
+  Recording* recording() const { return recording_; }
+  int node() const { return node_; }
+  double value() const { return value_; }  // of a plain number
+  bool is_number() const { return recording_ == nullptr; }
+  bool is_number(double x) const { return is_number() && value_ == x; }
+
+  Recorded& operator+=(const Recorded& v);
+  Recorded& operator-=(const Recorded& v);
+  Recorded& operator*=(const Recorded& v);
+  Recorded& operator/=(const Recorded& v);
+
+ private:
+  Recording* recording_ = nullptr;
+  int node_ = -1;
+  double value_ = 0.0;
+};
+
+template <>
+inline constexpr bool is_series<Recorded> = true;
+
+class Recording {
+ public:
+  Recording() = default;
+  Recording(const Recording&) = delete;  // recorded values point here
+  Recording& operator=(const Recording&) = delete;
+
+  Recorded input(Input input);
+  Recorded parameter(int number);
+
+  /// The node of a value; a plain number becomes a constant of the tape.
+  int node_of(const Recorded& x);
+  /// Whether x has no series. Throws std::invalid_argument for a value of another recording.
+  bool is_static(const Recorded& x) const;
+
+  /// A new operation, or the one recorded before with the same rule and operands.
+  Recorded operation(int rule, std::vector<int> operands, bool is_static);
+
+  /// Two operations that read each other: a(u, b), b(u, a). Recorded as neighbours.
+  std::pair<Recorded, Recorded> coupled(int rule_a, int rule_b, int u, bool is_static);
+
+  /// The tape that computes the outputs, without what they do not need.
+  Tape finish(const std::vector<Recorded>& outputs);
+
+ private:
+  int append(Node node);
+
+  Tape tape_;
+  std::map<std::pair<int, std::vector<int>>, int> operations_;
+  std::map<std::uint64_t, int> constants_;  // by bits
+  std::map<std::tuple<int, int, int>, int> inputs_;
+  std::map<int, int> parameters_;
+};
+
+namespace detail {
+/// The recording among the operands; null when all are plain numbers.
+template <class... U>
+Recording* recording_of(const U&... u) {
+  Recording* found = nullptr;
+  ((found = u.recording() ? u.recording() : found), ...);
+  return found;
+}
+
+/// R on plain numbers, without a recording: the same rule at order 0.
+template <Rule R, class... U>
+double on_numbers(const U&... u) {
+  return R::coefficient(0, ConstantSeries<double>{u.value()}..., ConstantSeries<double>{0.0});
+}
+
+template <Rule R, class... U>
+Recorded record(const U&... u) {
+  Recording* recording = recording_of(u...);
+  if (!recording) return on_numbers<R>(u...);
+  const bool all_static = (recording->is_static(u) && ...);
+  std::vector<int> operands;
+  int i = 0;
+  const auto add = [&](const Recorded& x) {
+    int node = recording->node_of(x);
+    const Reads reads = R::reads[i++];
+    if (reads == Reads::constant && !recording->is_static(x))
+      throw std::invalid_argument(std::string(R::name) +
+                                  ": an operand that must be constant depends on the motion");
+    if (reads != Reads::constant && recording->is_static(x) && !all_static)
+      node = recording->operation(rule_id<Embed>, {node}, false).node();
+    operands.push_back(node);
+  };
+  (add(u), ...);
+  return recording->operation(rule_id<R>, std::move(operands), all_static);
+}
+}  // namespace detail
+
+/// v = R(u...), recorded.
+template <Rule R, std::same_as<Recorded> S, class... U>
+Recorded lift(const U&... u) {
+  return detail::record<R>(Recorded(u)...);
+}
+
+/// v = A(u, w), w = B(u, v), recorded.
+template <Rule A, Rule B, std::same_as<Recorded> S>
+std::pair<S, S> lift_coupled(const S& u) {
+  if (u.is_number()) {
+    const ConstantSeries<double> x{u.value()}, none{0.0};
+    return {A::coefficient(0, x, none, none), B::coefficient(0, x, none, none)};
+  }
+  Recording& recording = *u.recording();
+  return recording.coupled(rule_id<A>, rule_id<B>, u.node(), recording.is_static(u));
+}
+
+Recorded operator+(const Recorded& u, const Recorded& v);
+Recorded operator-(const Recorded& u, const Recorded& v);
+Recorded operator*(const Recorded& u, const Recorded& v);
+Recorded operator/(const Recorded& u, const Recorded& v);
+Recorded operator-(const Recorded& u);
+inline Recorded operator+(const Recorded& u) { return u; }
+
+inline Recorded& Recorded::operator+=(const Recorded& v) { return *this = *this + v; }
+inline Recorded& Recorded::operator-=(const Recorded& v) { return *this = *this - v; }
+inline Recorded& Recorded::operator*=(const Recorded& v) { return *this = *this * v; }
+inline Recorded& Recorded::operator/=(const Recorded& v) { return *this = *this / v; }
+
+}  // namespace jetlag
+
+namespace Eigen {
+template <>
+struct NumTraits<jetlag::Recorded> : GenericNumTraits<jetlag::Recorded> {
+  using Real = jetlag::Recorded;
+  using NonInteger = jetlag::Recorded;
+  using Nested = jetlag::Recorded;
+  using Literal = double;
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 1,
+    ReadCost = 1,
+    AddCost = 8,
+    MulCost = 32
+  };
+};
+}  // namespace Eigen

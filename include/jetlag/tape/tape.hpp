@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// A tape: the operations of one law, in the order in which they are computed.
+//
+// Values are of two sorts. A *static* value has no series: a constant of the law, a parameter of the element,
+// or anything computed from these alone; it is computed once, when the elements are set up. A *series* value
+// gains one coefficient for each order: an input (position, velocity, time) or anything that depends on one.
+//
+// The tape knows nothing of number types, blocks or memory; program.hpp lays it out.
+
+#include <string>
+#include <vector>
+
+namespace jetlag {
+
+/// What a tape reads from the scene.
+struct Input {
+  enum class Kind { position, velocity, time } kind;
+  int participant;  // 0 for time
+  int component;    // 0 for time
+  friend bool operator==(const Input&, const Input&) = default;
+};
+
+struct Node {
+  enum class Kind { constant, parameter, input, operation } kind;
+  bool is_static;             // no series
+  int rule = -1;              // operation: position in the register of rules
+  std::vector<int> operands;  // operation: nodes; a coupled rule may name the node that follows it
+  double value = 0.0;         // constant
+  int parameter = -1;         // parameter: its number
+  Input input{};              // input
+};
+
+struct Tape {
+  std::vector<Node> nodes;
+  std::vector<int> outputs;
+  int parameters = 0;  // number of parameters of one element
+
+  /// For each node, whether any rule reads coefficients older than the newest.
+  std::vector<bool> keeps_history() const;
+
+  /// Number of operations on series: the work of one order, not counting the length of sums.
+  int series_operations() const;
+
+  /// Whether no output has a series, so that orders above 0 are zero.
+  bool is_static() const;
+
+  /// One operation a line, for people: "v7 = multiply(v3, v6)   [history]".
+  std::string to_string() const;
+};
+
+/// The tape with only what its outputs need, in the same order.
+Tape pruned(const Tape& tape);
+
+}  // namespace jetlag

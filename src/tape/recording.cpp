@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "jetlag/tape/recording.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+namespace jetlag {
+
+int Recording::append(Node node) {
+  tape_.nodes.push_back(std::move(node));
+  return static_cast<int>(tape_.nodes.size()) - 1;
+}
+
+Recorded Recording::input(Input input) {
+  const auto key = std::tuple(static_cast<int>(input.kind), input.participant, input.component);
+  if (const auto found = inputs_.find(key); found != inputs_.end()) return {this, found->second};
+  const int node = append({.kind = Node::Kind::input, .is_static = false, .operands = {}, .input = input});
+  inputs_[key] = node;
+  return {this, node};
+}
+
+Recorded Recording::parameter(int number) {
+  if (const auto found = parameters_.find(number); found != parameters_.end()) return {this, found->second};
+  const int node =
+      append({.kind = Node::Kind::parameter, .is_static = true, .operands = {}, .parameter = number});
+  tape_.parameters = std::max(tape_.parameters, number + 1);
+  parameters_[number] = node;
+  return {this, node};
+}
+
+int Recording::node_of(const Recorded& x) {
+  if (!x.is_number()) {
+    if (x.recording() != this) throw std::invalid_argument("Recording: a value of another recording");
+    return x.node();
+  }
+  const auto key =
+      std::bit_cast<std::uint64_t>(x.value());  // by bits: 0.0 and -0.0 differ, NaN equals itself
+  if (const auto found = constants_.find(key); found != constants_.end()) return found->second;
+  return constants_[key] =
+             append({.kind = Node::Kind::constant, .is_static = true, .operands = {}, .value = x.value()});
+}
+
+bool Recording::is_static(const Recorded& x) const {
+  if (x.is_number()) return true;
+  if (x.recording() != this) throw std::invalid_argument("Recording: a value of another recording");
+  return tape_.nodes[x.node()].is_static;
+}
+
+Recorded Recording::operation(int rule, std::vector<int> operands, bool is_static) {
+  if (rule == rule_id<Add> || rule == rule_id<Multiply>) std::ranges::sort(operands);  // they commute
+  const auto key = std::pair(rule, operands);
+  if (const auto found = operations_.find(key); found != operations_.end()) return {this, found->second};
+  const int node = append(
+      {.kind = Node::Kind::operation, .is_static = is_static, .rule = rule, .operands = std::move(operands)});
+  operations_[key] = node;
+  return {this, node};
+}
+
+std::pair<Recorded, Recorded> Recording::coupled(int rule_a, int rule_b, int u, bool is_static) {
+  const auto key = std::pair(rule_a, std::vector{u});
+  if (const auto found = operations_.find(key); found != operations_.end())
+    return {Recorded(this, found->second), Recorded(this, found->second + 1)};
+  const int a = static_cast<int>(tape_.nodes.size()), b = a + 1;
+  append({.kind = Node::Kind::operation, .is_static = is_static, .rule = rule_a, .operands = {u, b}});
+  append({.kind = Node::Kind::operation, .is_static = is_static, .rule = rule_b, .operands = {u, a}});
+  operations_[key] = a;
+  return {Recorded(this, a), Recorded(this, b)};
+}
+
+Tape Recording::finish(const std::vector<Recorded>& outputs) {
+  tape_.outputs.clear();
+  for (const Recorded& output : outputs) tape_.outputs.push_back(node_of(output));
+  return pruned(tape_);
+}
+
+namespace {
+/// The value when all operands are static, so that the general rule at order 0 serves.
+bool both_static(const Recorded& u, const Recorded& v) {
+  const Recording* recording = detail::recording_of(u, v);
+  return !recording || (recording->is_static(u) && recording->is_static(v));
+}
+bool is_static(const Recorded& u) { return u.is_number() || u.recording()->is_static(u); }
+}  // namespace
+
+Recorded operator+(const Recorded& u, const Recorded& v) {
+  if (u.is_number(0.0)) return v;
+  if (v.is_number(0.0)) return u;
+  if (both_static(u, v)) return detail::record<Add>(u, v);
+  if (is_static(u)) return detail::record<Offset>(u, v);
+  if (is_static(v)) return detail::record<Offset>(v, u);
+  return detail::record<Add>(u, v);
+}
+
+Recorded operator-(const Recorded& u, const Recorded& v) {
+  if (v.is_number(0.0)) return u;
+  if (both_static(u, v)) return detail::record<Subtract>(u, v);
+  if (is_static(u)) return detail::record<Offset>(u, -v);
+  if (is_static(v)) return detail::record<Offset>(-v, u);
+  return detail::record<Subtract>(u, v);
+}
+
+Recorded operator-(const Recorded& u) { return detail::record<Negate>(u); }
+
+Recorded operator*(const Recorded& u, const Recorded& v) {
+  if (u.is_number(1.0)) return v;
+  if (v.is_number(1.0)) return u;
+  if (both_static(u, v)) return detail::record<Multiply>(u, v);
+  if (is_static(u)) return detail::record<Scale>(u, v);
+  if (is_static(v)) return detail::record<Scale>(v, u);
+  if (u.node() == v.node()) return detail::record<Square>(u);
+  return detail::record<Multiply>(u, v);
+}
+
+Recorded operator/(const Recorded& u, const Recorded& v) {
+  if (v.is_number(1.0)) return u;
+  if (both_static(u, v)) return detail::record<Divide>(u, v);
+  if (is_static(v)) return detail::record<DivideByConstant>(u, v);
+  if (is_static(u)) return detail::record<Reciprocal>(u, v);
+  return detail::record<Divide>(u, v);
+}
+
+}  // namespace jetlag

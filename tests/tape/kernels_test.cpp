@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+// The same rule in its other lives: what a tape computes in lanes is what a jet computes.
+#include "jetlag/tape/kernels.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+#include <vector>
+
+#include "jetlag/series/elementary.hpp"
+#include "jetlag/tape/program.hpp"
+#include "jetlag/tape/recording.hpp"
+#include "support/close.hpp"
+#include "support/random.hpp"
+#include "support/rules.hpp"
+
+namespace jetlag::testing {
+namespace {
+
+constexpr int degree = 12;
+constexpr int elements = 70;  // two blocks of 32 lanes and a part of a third
+using J = Jet<double, degree>;
+using Tracked = Jet<RunningError<double>, degree>;
+
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+/// Operands of one rule for each element: series with |u_k| < 2^-k, and a number where a constant is
+/// expected.
+template <class R>
+using Operands = std::vector<std::array<J, arity<R>>>;
+
+template <class R>
+Operands<R> random_operands() {
+  Uniform draw(3);
+  Operands<R> all(elements);
+  for (auto& operands : all)
+    for (int a = 0; a < arity<R>; ++a) {
+      operands[a][0] = draw(0.5, 2.0);
+      if (R::reads[a] != Reads::constant)
+        for (int k = 1; k <= degree; ++k) operands[a][k] = draw(-1, 1) * std::ldexp(1.0, -k);
+    }
+  return all;
+}
+
+/// One operation of rule R: series are inputs, constants are parameters.
+template <class R>
+Tape tape_of() {
+  Recording recording;
+  std::vector<int> operands;
+  for (int a = 0; a < arity<R>; ++a)
+    operands.push_back(R::reads[a] == Reads::constant
+                           ? recording.parameter(0).node()
+                           : recording.input({Input::Kind::position, 0, a}).node());
+  return recording.finish({recording.operation(rule_id<R>, operands, false)});
+}
+
+/// A tape over all elements, order by order: the result of each element. Inputs are components 0 .. n - 1.
+template <std::size_t n>
+std::vector<J> run_tape(const Tape& tape, const std::vector<std::array<J, n>>& operands,
+                        const std::vector<double>& parameters, const KernelTable<double>& table) {
+  const Program program(tape);
+  Blocks<double> blocks(program, operands.size(), parameters, table);
+  blocks.reserve(degree + 1);
+  std::vector<J> results(operands.size());
+  for (int k = 0; k <= degree; ++k)
+    for (std::size_t b = 0; b < blocks.blocks(); ++b) {
+      for (const auto& [place, input] : program.inputs)
+        for (int lane = 0; lane < blocks.lanes(); ++lane)
+          blocks.at(b, place, k)[lane] = operands[blocks.element(b, lane)][input.component][k];
+      blocks.run(b, k);
+      for (int lane = 0; lane < blocks.lanes(); ++lane)
+        results[blocks.element(b, lane)][k] = blocks.at(b, program.outputs[0], k)[lane];
+    }
+  return results;
+}
+
+/// The tape of one rule; what it reads as constant is the parameter.
+template <class R>
+std::vector<J> run(const Operands<R>& operands, const KernelTable<double>& table) {
+  std::vector<double> parameters;
+  for (int a = 0; a < arity<R>; ++a)
+    if (R::reads[a] == Reads::constant)
+      for (const auto& of_element : operands) parameters.push_back(of_element[a][0]);
+  return run_tape<arity<R>>(tape_of<R>(), operands, parameters, table);
+}
+
+/// The rule on jets of another number type.
+template <class R, class Result>
+Result on_jets(const std::array<J, arity<R>>& operands) {
+  return [&]<std::size_t... A>(std::index_sequence<A...>) {
+    const auto operand = [&](auto a) {
+      if constexpr (R::reads[a] == Reads::constant) {
+        return operands[a][0];
+      } else {
+        Result u;
+        for (int k = 0; k <= degree; ++k) u[k] = operands[a][k];
+        return u;
+      }
+    };
+    return lift<R, Result>(operand(std::integral_constant<std::size_t, A>{})...);
+  }(std::make_index_sequence<arity<R>>{});
+}
+
+template <class R>
+class KernelLaws : public ::testing::Test {};
+TYPED_TEST_SUITE(KernelLaws, AllRules, NameOfRule);
+
+TYPED_TEST(KernelLaws, OneLaneHasTheBitsOfAJet) {
+  const auto operands = random_operands<TypeParam>();
+  const auto results = run<TypeParam>(operands, scalar_kernels<double>());
+  for (int e = 0; e < elements; ++e) {
+    const J jet = on_jets<TypeParam, J>(operands[e]);
+    for (int k = 0; k <= degree; ++k)
+      EXPECT_TRUE(same_bits(results[e][k], jet[k])) << "element " << e << ", order " << k;
+  }
+}
+
+TYPED_TEST(KernelLaws, LanesAgreeWithAJetOnEveryInstructionSet) {
+  // A fused multiply-add rounds once where the jet rounds twice: both lie within the bound that the jet
+  // carries.
+  const auto operands = random_operands<TypeParam>();
+  for (const auto* table : available_kernels()) {
+    SCOPED_TRACE(table->instruction_set);
+    const auto results = run<TypeParam>(operands, *table);
+    for (int e = 0; e < elements; ++e)
+      EXPECT_THAT((on_jets<TypeParam, Tracked>(operands[e])),
+                  HasCoefficients([&](int k) { return RunningError<double>(results[e][k]); }))
+          << "element " << e;
+  }
+}
+
+TYPED_TEST(KernelLaws, NotFiniteLanesLeaveTheOthersAlone) {
+  for (const auto* table : available_kernels()) {
+    SCOPED_TRACE(table->instruction_set);
+    auto operands = random_operands<TypeParam>();
+    const auto before = run<TypeParam>(operands, *table);
+    const int ill[] = {1, 31, 40, elements - 1};
+    operands[ill[0]].fill(J(std::numeric_limits<double>::quiet_NaN()));
+    operands[ill[1]].fill(J(std::numeric_limits<double>::infinity()));
+    operands[ill[2]].fill(J(0.0));
+    operands[ill[3]].fill(J(-1.0));
+    const auto after = run<TypeParam>(operands, *table);
+    for (int e = 0; e < elements; ++e)
+      for (int k = 0; k <= degree && std::ranges::find(ill, e) == std::end(ill); ++k)
+        EXPECT_TRUE(same_bits(after[e][k], before[e][k])) << "element " << e << ", order " << k;
+    if (arity < TypeParam >> 0) {
+      EXPECT_FALSE(std::isfinite(after[ill[0]][0]));  // and the ill lane is not made well
+    }
+  }
+}
+
+TEST(Kernels, ComputeAWholeFunctionAsJetsDo) {  // all rules in one tape, the coupled ones too
+  const auto f = [](const auto& x, const auto& y) {
+    return exp(sin(x) * cos(y) - 0.5) / sqrt(1.0 + x * x) + pow(y, 1.5) * log(y) - 2.0 / (3.0 + y) +
+           (x - y) / 4.0;
+  };
+  Recording recording;
+  const Tape tape = recording.finish(
+      {f(recording.input({Input::Kind::position, 0, 0}), recording.input({Input::Kind::position, 0, 1}))});
+  const auto operands = random_operands<Multiply>();
+  for (const auto* table : available_kernels()) {
+    SCOPED_TRACE(table->instruction_set);
+    const auto results = run_tape<2>(tape, operands, {}, *table);
+    for (int e = 0; e < elements; ++e) {
+      std::array<Tracked, 2> u;
+      for (int k = 0; k <= degree; ++k)
+        for (int a = 0; a < 2; ++a) u[a][k] = operands[e][a][k];
+      EXPECT_THAT(f(u[0], u[1]), HasCoefficients([&](int k) { return RunningError<double>(results[e][k]); }));
+    }
+  }
+}
+
+TEST(Kernels, AreListedSlowestFirst) {
+  const auto tables = available_kernels();
+  ASSERT_FALSE(tables.empty());
+  EXPECT_EQ(tables.front(), &scalar_kernels<double>());
+  for (std::size_t i = 1; i < tables.size(); ++i) EXPECT_EQ(tables[i]->lanes, 32);
+}
+
+TEST(Kernels, InUseAreAvailable) {  // the fastest, or those that JETLAG_INSTRUCTION_SET asks for
+  const auto tables = available_kernels();
+  EXPECT_NE(std::ranges::find(tables, &kernels<double>()), tables.end());
+}
+
+}  // namespace
+}  // namespace jetlag::testing
