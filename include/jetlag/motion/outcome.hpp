@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// How a step or a run ended. Events of a computation are values; exceptions are for misuse.
+
+#include <string>
+
+namespace jetlag {
+
+enum class Outcome {
+  success,
+  step_underflow,  // the step no longer changes the time
+  non_finite,      // a coefficient or the new state is infinite or NaN
+  step_limit,      // the caller's largest number of steps is used up
+  interrupted,     // the caller asked to stop
+};
+
+const char* to_string(Outcome outcome);
+
+/// An outcome, and for all but success where it happened and what to do about it, in a sentence.
+struct Report {
+  Outcome outcome = Outcome::success;
+  std::string message;
+  int particle = -1;  // the first particle concerned, if any
+};
+
+}  // namespace jetlag

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// A piece: polynomials of the motion, and the interval on which they hold.
+
+#include <vector>
+
+#include "jetlag/motion/system.hpp"
+#include "jetlag/series/polynomial.hpp"
+
+namespace jetlag {
+
+/// Positions and velocities of all particles on [begin, end], as polynomials in t - begin.
+/// Weights of a random truncation are part of the coefficients.
+struct Piece {
+  double begin = 0, end = 0;                  // [s]
+  std::vector<Coordinates<double>> position;  // coefficient k: shape (particles, dimension)
+  std::vector<Coordinates<double>> velocity;
+
+  bool holds(double t) const { return begin <= t && t <= end; }
+
+  /// The state at a time of the interval, by Horner's rule.
+  State<double> at(double t) const;
+
+  /// The same motion with its polynomials about a new origin t; it holds on [t, end].
+  Piece about(double t) const;
+};
+
+/// The position polynomials of one particle, component by component: shape (dimension)(degree + 1).
+std::vector<std::vector<double>> polynomials(const Piece& piece, int particle);
+
+}  // namespace jetlag

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// A mechanical system: particles and the elements that act between them.  M x'' = F(t, x, x').
+
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "jetlag/forces/force.hpp"
+
+#if EIGEN_DEFAULT_ALIGN_BYTES != 64
+#error \
+    "jetlag: define EIGEN_MAX_ALIGN_BYTES=64 for the whole program, as the CMake target jetlag::jetlag does: \
+matrices that the library and its users hand each other must be allocated in one way, whatever flags they are built with"
+#endif
+
+namespace jetlag {
+
+/// One row a particle, one column a component. Shape (particles, dimension).
+template <class T = double>
+using Coordinates = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+template <class T = double>
+struct State {
+  T time{};                 // [s]
+  Coordinates<T> position;  // [m]
+  Coordinates<T> velocity;  // [m/s]
+};
+
+/// All elements of one law.
+template <class T = double>
+struct Elements {
+  RecordedLaw law;
+  std::vector<int> particles;  // shape (count, law.participants), row by row
+  std::vector<T> parameters;   // shape (count, law.parameters.size()), row by row
+
+  std::size_t count() const { return particles.size() / law.participants; }
+};
+
+template <class T = double>
+class System {
+ public:
+  /// dimension: 1, 2 or 3. mass: one for each particle [kg], > 0 and finite.
+  /// Throws std::invalid_argument.
+  System(int dimension, std::vector<T> mass);
+
+  /// Holds a particle where it is, whatever acts on it. It must be at rest.
+  void fix(int particle);
+
+  /// Elements of law L. participants: the particles of each element; parameters: those of each element, or
+  /// one set for all. Throws std::invalid_argument for an index out of range, for a particle paired with
+  /// itself, and for a number of parameters that does not fit.
+  template <ForceLaw L>
+  void add(const std::vector<std::array<int, L::participants>>& participants,
+           const std::vector<std::array<T, L::parameters.size()>>& parameters) {
+    std::vector<int> particles;
+    for (const auto& element : participants)
+      particles.insert(particles.end(), element.begin(), element.end());
+    std::vector<T> flat;
+    for (const auto& set : parameters) flat.insert(flat.end(), set.begin(), set.end());
+    add(record_law<L>(dimension_), std::move(particles), std::move(flat));
+  }
+  void add(RecordedLaw law, std::vector<int> particles, std::vector<T> parameters);
+
+  int dimension() const { return dimension_; }
+  int particles() const { return static_cast<int>(mass_.size()); }
+  const std::vector<T>& mass() const { return mass_; }
+  const std::vector<bool>& fixed() const { return fixed_; }
+  const std::vector<Elements<T>>& elements() const { return elements_; }
+
+ private:
+  int dimension_;
+  std::vector<T> mass_;
+  std::vector<bool> fixed_;
+  std::vector<Elements<T>> elements_;
+};
+
+// ---- definitions -----------------------------------------------------------------------------------------
+
+template <class T>
+System<T>::System(int dimension, std::vector<T> mass) : dimension_(dimension), mass_(std::move(mass)) {
+  using std::isfinite;
+  if (dimension < 1 || dimension > 3)
+    throw std::invalid_argument("System: dimension must be 1, 2 or 3, got " + std::to_string(dimension));
+  for (std::size_t i = 0; i < mass_.size(); ++i)
+    if (!(mass_[i] > T(0)) || !isfinite(mass_[i]))
+      throw std::invalid_argument("System: the mass of particle " + std::to_string(i) +
+                                  " must be > 0 and finite");
+  fixed_.assign(mass_.size(), false);
+}
+
+template <class T>
+void System<T>::fix(int particle) {
+  if (particle < 0 || particle >= particles())
+    throw std::invalid_argument("System: fixed particle " + std::to_string(particle) +
+                                " does not exist, there are " + std::to_string(particles()));
+  fixed_[particle] = true;
+}
+
+template <class T>
+void System<T>::add(RecordedLaw law, std::vector<int> members, std::vector<T> parameters) {
+  const std::string who = "System: " + law.name;
+  if (law.dimension != dimension_)
+    throw std::invalid_argument(who + " was recorded for dimension " + std::to_string(law.dimension));
+  if (members.size() % law.participants != 0)
+    throw std::invalid_argument(who + " acts on " + std::to_string(law.participants) + " particles");
+  const std::size_t count = members.size() / law.participants, width = law.parameters.size();
+  for (std::size_t e = 0; e < count; ++e)
+    for (int i = 0; i < law.participants; ++i) {
+      const int particle = members[e * law.participants + i];
+      if (particle < 0 || particle >= particles())
+        throw std::invalid_argument(who + " " + std::to_string(e) + ": particle " + std::to_string(particle) +
+                                    " does not exist, there are " + std::to_string(particles()));
+      if (i == 1 && particle == members[e * law.participants])
+        throw std::invalid_argument(who + " " + std::to_string(e) + ": particle " + std::to_string(particle) +
+                                    " cannot be paired with itself");
+    }
+  if (parameters.size() == width && count != 1) {
+    std::vector<T> repeated;
+    repeated.reserve(count * width);
+    for (std::size_t e = 0; e < count; ++e)
+      repeated.insert(repeated.end(), parameters.begin(), parameters.end());
+    parameters = std::move(repeated);
+  }
+  if (parameters.size() != count * width)
+    throw std::invalid_argument(who + ": " + std::to_string(width) + " parameters are needed for each of " +
+                                std::to_string(count) + " elements, or once for all");
+  elements_.push_back({std::move(law), std::move(members), std::move(parameters)});
+}
+
+extern template class System<double>;
+
+}  // namespace jetlag

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#include "jetlag/motion/outcome.hpp"
+
+namespace jetlag {
+
+const char* to_string(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::success: return "success";
+    case Outcome::step_underflow: return "step_underflow";
+    case Outcome::non_finite: return "non_finite";
+    case Outcome::step_limit: return "step_limit";
+    case Outcome::interrupted: return "interrupted";
+  }
+  return "unknown";
+}
+
+}  // namespace jetlag
