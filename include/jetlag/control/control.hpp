@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Step control: how far to go, from the series of the motion at the beginning of the step.
+//
+// Coefficients rescale under h -> a h as c_n h^n -> a^n c_n h^n, so a control can solve for the step before it is
+// taken: nothing is ever rejected. Invariants, tested for every member that is not `fixed`:
+//   - time t -> lambda t gives h -> h / lambda;
+//   - h does not grow as the tolerance shrinks;
+//   - a series that ends (free fall, rest) gives the largest step allowed, never infinity or NaN.
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "jetlag/motion/expansion.hpp"
+#include "jetlag/truncation/truncation.hpp"
+
+namespace jetlag {
+
+/// What a control looks at.
+struct Prospect {
+  const Expansion<double>& series;  // known to law.max_degree() at least, when the control asks for it
+  const TruncationLaw& law;         // where the series will be stopped
+};
+
+class Control {
+ public:
+  virtual ~Control() = default;
+
+  /// Whether propose() reads the series up to the largest degree of the law.
+  virtual bool reads_series() const = 0;
+
+  /// The next step [s], > 0 and at most max_step.
+  virtual double propose(const Prospect& prospect) = 0;
+
+  /// A control of the same kind and state.
+  virtual std::unique_ptr<Control> clone() const = 0;
+};
+
+/// max_i |x_i,c - ...| over the coefficient: the largest component of coefficient k of the positions.
+inline double largest(const CoefficientView<double>& coefficient) {
+  return coefficient.size() == 0 ? 0.0 : coefficient.cwiseAbs().maxCoeff();
+}
+
+/// The largest variance of a component of a position at step h, over all particles: max_i Var g_i(h) [m^2].
+double largest_position_variance(const Prospect& prospect, double h);
+
+/// Throws std::invalid_argument unless x > 0 (and finite, or infinite where that is allowed).
+void require_positive(const char* what, double x, bool may_be_infinite = false);
+
+}  // namespace jetlag

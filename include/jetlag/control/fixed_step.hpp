@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The same step every time.
+
+#include "jetlag/control/control.hpp"
+
+namespace jetlag {
+
+class FixedStep final : public Control {
+ public:
+  /// step [s], > 0.
+  explicit FixedStep(double step) : step_(step) { require_positive("step", step); }
+  bool reads_series() const override { return false; }
+  double propose(const Prospect&) override { return step_; }
+  std::unique_ptr<Control> clone() const override { return std::make_unique<FixedStep>(*this); }
+
+ private:
+  double step_;
+};
+
+}  // namespace jetlag

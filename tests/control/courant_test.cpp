@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+// The Courant limit: where truncated series of an oscillation are stable, and how fast springs can oscillate.
+
+#include "jetlag/control/courant.hpp"
+
+#include <gmock/gmock.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+#include "jetlag/control/fixed_step.hpp"
+#include "jetlag/integrators/leapfrog.hpp"
+#include "jetlag/integrators/taylor.hpp"
+#include "jetlag/motion/energy.hpp"
+#include "jetlag/schedule/lockstep.hpp"
+#include "support/scenes_for_tests.hpp"
+
+namespace jetlag::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+TEST(ImaginaryStabilityLimit, HasThePublishedValuesForFixedDegrees) {
+  const double limit[] = {0, 0, 0,         1.7320508, 2.8284271, 0, 0,         1.7644213, 3.3951402,
+                          0, 0, 1.7011883, 3.3793773, 0,         0, 1.6687366, 3.3248131};
+  for (int degree = 1; degree <= 16; ++degree)
+    EXPECT_NEAR(imaginary_stability_limit(fixed_degree(degree)), limit[degree], 1e-7) << "degree " << degree;
+}
+
+TEST(ImaginaryStabilityLimit, HasThePublishedValuesInMeanSquare) {
+  struct Case {
+    int min_degree, max_degree;
+    double limit;
+  };
+  for (const Case& c : {Case{3, 6, 0},
+                        {4, 16, 0},
+                        {4, 8, 0},
+                        {3, 4, 2.0},
+                        {2, 3, 1.224744871},
+                        {4, 7, 0.742438},
+                        {5, 7, 1.505064},
+                        {5, 8, 1.362638},
+                        {6, 8, 2.438196},
+                        {7, 8, 3.091116}})
+    EXPECT_NEAR(imaginary_stability_limit(geometric(c.min_degree, c.max_degree, 0.5)), c.limit, 1e-6)
+        << c.min_degree << ", " << c.max_degree;
+  std::vector<double> tail(17, 1.0);
+  for (int n = 1; n <= 16; ++n) tail[n] = 0.5 * tail[n - 1];
+  EXPECT_EQ(imaginary_stability_limit(TruncationLaw("geometric from 0", tail)), 0.0);
+}
+
+TEST(ImaginaryStabilityLimit, IsTheRootOfEightTimesOneMinusPForDegreesThreeAndFour) {
+  // |T_4|^2 - 1 = -y^6/72 + y^8/576 and delta_4 |S_4|^2 = p/(1-p) y^8/576: stable up to y^2 = 8 (1 - p).
+  for (double p : {0.1, 0.5, 0.9})
+    EXPECT_NEAR(imaginary_stability_limit(geometric(3, 4, p)), std::sqrt(8 * (1 - p)), 1e-12);
+}
+
+TEST(ImaginaryStabilityLimit, DependsOnTheProbabilityWhereLossAndNoiseAreOfOneOrder) {
+  // (2, 4): y^6 (-1/72 + d/36) + y^8 w_4/576, d = p/(1-p), w_4 = 1/(1-p)^2: stable for p < 1/3 up to
+  // y^2 = 8 (1 - 2 d) / w_4.
+  for (double p : {0.05, 0.2, 0.3}) {
+    const double d = p / (1 - p);
+    EXPECT_NEAR(imaginary_stability_limit(geometric(2, 4, p)), std::sqrt(8 * (1 - 2 * d)) * (1 - p), 1e-12);
+  }
+  EXPECT_EQ(imaginary_stability_limit(geometric(2, 4, 0.34)), 0.0);
+  // (1, 3): y^4 (-1/12 + d/4) + y^6 w_3/36, w_3 = 1/(1-p)^2: stable for p < 1/4 up to y^2 = (3 - 9 d) / w_3.
+  for (double p : {0.05, 0.2}) {
+    const double d = p / (1 - p);
+    EXPECT_NEAR(imaginary_stability_limit(geometric(1, 3, p)), std::sqrt(3 - 9 * d) * (1 - p), 1e-12);
+  }
+  EXPECT_EQ(imaginary_stability_limit(geometric(1, 3, 0.26)), 0.0);
+}
+
+// ---- frequencies ------------------------------------------------------------------------------------------
+
+/// The fastest frequency at rest: eigenvalues of M^-1/2 K M^-1/2, K = sum over springs of k d d^T, without
+/// the rows of fixed particles.
+double fastest_frequency(const System<double>& system, const Coordinates<double>& rest) {
+  const int d = system.dimension(), n = system.particles() * d;
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
+  for (const auto& elements : system.elements())
+    for (std::size_t e = 0; e < elements.count(); ++e) {
+      const int a = elements.particles[2 * e], b = elements.particles[2 * e + 1];
+      const Eigen::VectorXd direction = (rest.row(b) - rest.row(a)).normalized().transpose();
+      Eigen::VectorXd row = Eigen::VectorXd::Zero(n);
+      if (!system.fixed()[a]) row.segment(a * d, d) = direction / std::sqrt(system.mass()[a]);
+      if (!system.fixed()[b]) row.segment(b * d, d) = -direction / std::sqrt(system.mass()[b]);
+      stiffness += elements.parameters[2 * e] * row * row.transpose();
+    }
+  return std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(stiffness).eigenvalues().maxCoeff());
+}
+
+TEST(FrequencyBound, IsExactForOneSpring) {
+  for (auto [k, a, b] : {std::tuple{1.0, 1.0, 1.0}, {5e3, 1.0, 1e-3}, {2.0, 3.0, 7.0}})
+    EXPECT_DOUBLE_EQ(frequency_bound(dumbbell(k, a, b).system), std::sqrt(k * (1 / a + 1 / b)));
+}
+
+TEST(FrequencyBound, IsNotBelowTheFastestFrequencyOfANetwork) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Scene scene = spring_cube(seed);
+    if (seed % 2 == 0) scene.system.fix(static_cast<int>(seed % 8));
+    const double truth = fastest_frequency(scene.system, scene.start.position),
+                 bound = frequency_bound(scene.system);
+    EXPECT_GE(bound, truth) << "seed " << seed;
+    EXPECT_LE(bound, 3 * truth) << "seed " << seed;  // and is of use: at most sqrt(7 springs at a particle)
+  }
+}
+
+TEST(FrequencyBound, TakesFixedParticlesAsInfinitelyHeavy) {
+  Scene scene = dumbbell(8.0, 1.0, 2.0);
+  scene.system.fix(0);
+  EXPECT_DOUBLE_EQ(frequency_bound(scene.system), 2.0);
+  scene.system.fix(1);
+  EXPECT_EQ(frequency_bound(scene.system), 0.0);
+}
+
+TEST(FrequencyBound, IsZeroWithoutStiffness) {
+  EXPECT_EQ(frequency_bound(free_fall().system), 0.0);
+  EXPECT_EQ(frequency_bound(planet(0.5).system), 0.0);
+}
+
+// ---- the crop ---------------------------------------------------------------------------------------------
+
+std::unique_ptr<Control> cropped_to(double safety, double limit, double omega, double step) {
+  return std::make_unique<Courant>(std::make_unique<FixedStep>(step), safety, limit, omega);
+}
+
+/// The energy of the stretching after 10^4 steps, over that at the start.
+double energy_ratio(const Scene& scene, std::unique_ptr<Integrator> integrator) {
+  EnergyMeter energy(scene.system);
+  Lockstep lockstep(std::move(integrator));
+  State<double> state = scene.start;
+  RunOptions options;
+  options.max_steps = 10'000;
+  const Report report = lockstep.run(state, std::numeric_limits<double>::infinity(), options);
+  if (report.outcome == Outcome::non_finite) return std::numeric_limits<double>::infinity();
+  return energy(state).total() / energy(scene.start).total();
+}
+
+TEST(Courant, KeepsTheStiffestSpringStableAndNoStepMuchLongerWould) {
+  // One spring, of known frequency: 0.1 % below the limit the energy falls, 0.1 % above it grows.
+  const Scene scene = dumbbell(5e3, 1.0, 2.0);
+  const double omega = frequency_bound(scene.system);
+  for (int degree : {3, 4, 7, 8}) {
+    const double limit = imaginary_stability_limit(fixed_degree(degree));
+    EXPECT_LT(energy_ratio(scene, taylor(scene.system, degree, cropped_to(0.999, limit, omega, 1.0))), 1.0)
+        << degree;
+    const double beyond = 1.001 * limit;
+    EXPECT_GT(energy_ratio(scene, taylor(scene.system, degree, cropped_to(1.0, beyond, omega, 1.0))), 1.01)
+        << degree;
+  }
+}
+
+TEST(Courant, KeepsANetworkStable) {
+  for (std::uint64_t seed : {1, 2, 3}) {
+    const Scene scene = spring_cube(seed);
+    const double limit = imaginary_stability_limit(fixed_degree(4)), omega = frequency_bound(scene.system);
+    // All the energy is above that of the centre of mass, which no method changes: it must not grow.
+    EXPECT_LE(energy_ratio(scene, taylor(scene.system, 4, cropped_to(1.0, limit, omega, 1.0))), 1.0)
+        << "seed " << seed;
+  }
+}
+
+TEST(Courant, CropsOnlyStepsThatAreTooLong) {
+  const Scene scene = dumbbell(4.0, 2.0, 2.0);  // omega = 2
+  Expansion<double> series(scene.system);
+  series.start(scene.start);
+  const TruncationLaw law = fixed_degree(4);
+  EXPECT_EQ(cropped_to(0.5, 3.0, 2.0, 10.0)->propose({series, law}), 0.75);
+  EXPECT_EQ(cropped_to(0.5, 3.0, 2.0, 0.5)->propose({series, law}), 0.5);
+  EXPECT_EQ(cropped_to(0.5, 3.0, 2.0, 10.0)->clone()->propose({series, law}), 0.75);
+  EXPECT_EQ(cropped_to(0.5, 3.0, 0.0, 10.0)->propose({series, law}), 10.0);  // nothing oscillates
+}
+
+TEST(Courant, RefusesWhatCannotBeStable) {
+  EXPECT_THAT([] { cropped_to(0.5, imaginary_stability_limit(fixed_degree(6)), 1.0, 1.0); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("unstable")));
+  for (double safety : {0.0, -1.0, 1.5, std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_THAT([safety] { cropped_to(safety, 2.0, 1.0, 1.0); },
+                ThrowsMessage<std::invalid_argument>(HasSubstr("courant must be in (0, 1]")));
+}
+
+}  // namespace
+}  // namespace jetlag::testing
