@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// An integrator: one step of one method on a whole system.
+//
+// Invariants, tested for every member of the family:
+//   - its measured order is the declared one; steps of any length up to `limit` may be asked for;
+//   - on failure the state is untouched and the report says where and why;
+//   - same state, seed and update number: same bits.
+
+#include <cstdint>
+#include <memory>
+
+#include "jetlag/control/control.hpp"
+#include "jetlag/motion/outcome.hpp"
+#include "jetlag/motion/piece.hpp"
+#include "jetlag/motion/system.hpp"
+
+namespace jetlag {
+
+/// What a run has cost so far.
+struct Work {
+  std::uint64_t steps = 0;
+  std::uint64_t updates = 0;       // particles x steps, without the fixed ones
+  std::uint64_t coefficients = 0;  // coefficients of positions beyond order 1, one for each moving particle
+  std::uint64_t element_coefficients =
+      0;                      // (element, order) pairs; a force evaluation is one for each element
+  std::uint64_t degrees = 0;  // sum over updates of the degree used
+  std::uint64_t rejected = 0;
+
+  double mean_degree() const {
+    return updates == 0 ? 0.0 : static_cast<double>(degrees) / static_cast<double>(updates);
+  }
+};
+
+class Integrator {
+ public:
+  virtual ~Integrator() = default;
+
+  /// One step of at most `limit` [s]: the length the control proposes, or `limit` where that is shorter. state.time
+  /// is the beginning of the step and stays so: the caller keeps the time. Returns the length; on failure 0.
+  virtual double step(State<double>& state, double limit, Report& report) = 0;
+
+  /// The motion during the last step: begin is state.time of that step.
+  virtual Piece piece() const = 0;
+
+  virtual const Work& work() const = 0;
+};
+
+/// The step to take: the proposal, or the limit where that is shorter or nearly reached (no tiny last step remains).
+inline double cropped(double proposal, double limit) {
+  return proposal >= limit * (1.0 - 1e-9) ? limit : proposal;
+}
+
+/// The report for a step h that does not change the time: names the fastest particle.
+Report step_underflow(const Expansion<double>& series, double h);
+
+/// Number of particles that are not fixed.
+int moving_particles(const System<double>& system);
+
+/// Whether all numbers are finite; otherwise `report` names the first particle with one that is not.
+bool all_finite(const Coordinates<double>& position, const Coordinates<double>& velocity, double time,
+                Report& report);
+
+/// As above for the series of a motion: names the first coefficient that does not exist.
+bool all_finite(const Expansion<double>& series, Report& report);
+
+}  // namespace jetlag

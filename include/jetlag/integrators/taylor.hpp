@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Taylor's method: fixed degree, or a degree drawn anew at every step.
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "jetlag/integrators/integrator.hpp"
+#include "jetlag/truncation/draws.hpp"
+#include "jetlag/truncation/truncation.hpp"
+
+namespace jetlag {
+
+/// Which series the velocity is taken from.         Source: methods 1c.
+enum class VelocitySeries {
+  own_series,  // its own, v = sum_{n<=K} w_n v_n h^n: one coefficient more of x is needed
+  derivative,  // the derivative of the position's, v = sum_{1<=n<=K} w_n n x_n h^{n-1}: one order less
+};
+
+/// The paper's method: the series is stopped at a random degree K and weighted so that it stays unbiased,
+///     y(t + h) = sum_{n=0..K} w_n y_n h^n,   w_n = 1 / P(K >= n).
+/// Mean-square order min(N, m + 1/2), weak order min(N, 2m + 1), for y = (x, v) with `own_series`.
+/// With a fixed degree all weights are 1: Taylor's method of order N.
+class RandomTaylor final : public Integrator {
+ public:
+  struct Options {
+    std::uint64_t seed = 1;
+
+    /// One K for all particles at each step: conserves momentum exactly, and orders above K are not computed.
+    /// Otherwise one K for each particle, and all orders up to the largest of them are computed.
+    bool shared_draw = true;
+
+    VelocitySeries velocity = VelocitySeries::own_series;
+  };
+
+  RandomTaylor(const System<double>& system, TruncationLaw law, std::unique_ptr<Control> control)
+      : RandomTaylor(system, std::move(law), std::move(control), Options{}) {}
+  RandomTaylor(const System<double>& system, TruncationLaw law, std::unique_ptr<Control> control,
+               Options options);
+
+  double step(State<double>& state, double limit, Report& report) override;
+  Piece piece() const override;
+  const Work& work() const override { return work_; }
+
+ private:
+  void draw();
+  Coordinates<double> weighted_sum(bool of_velocity, double h) const;
+  int order_needed(int degree) const {
+    return options_.velocity == VelocitySeries::own_series ? degree + 1 : degree;
+  }
+
+  TruncationLaw law_;
+  Expansion<double> series_;
+  std::unique_ptr<Control> control_;
+  Options options_;
+  std::vector<bool> fixed_;
+  int moving_;
+  std::uint64_t update_ = 0;
+  std::vector<int> degree_;  // K of each particle in this step; one entry when the draw is shared
+  double last_step_ = 0;
+  Work work_;
+};
+
+/// Taylor's method of a fixed degree N >= 1.
+std::unique_ptr<Integrator> taylor(const System<double>& system, int degree,
+                                   std::unique_ptr<Control> control);
+
+}  // namespace jetlag

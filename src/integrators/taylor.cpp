@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "jetlag/integrators/taylor.hpp"
+
+#include <algorithm>
+
+namespace jetlag {
+
+RandomTaylor::RandomTaylor(const System<double>& system, TruncationLaw law, std::unique_ptr<Control> control,
+                           Options options)
+    : law_(std::move(law)),
+      series_(system, law_.max_degree() + 1),
+      control_(std::move(control)),
+      options_(options),
+      fixed_(system.fixed()),
+      moving_(moving_particles(system)) {
+  if (law_.is_fixed()) options_.shared_draw = true;
+  degree_.resize(options_.shared_draw ? 1 : system.particles());
+}
+
+void RandomTaylor::draw() {
+  for (std::size_t i = 0; i < degree_.size(); ++i) {
+    const auto particle = options_.shared_draw ? shared_by_all : static_cast<std::uint32_t>(i);
+    degree_[i] = law_.is_fixed()                      ? law_.max_degree()
+                 : !options_.shared_draw && fixed_[i] ? law_.min_degree()
+                                                      : law_.draw(uniform(options_.seed, particle, update_));
+  }
+}
+
+/// sum_{n<=K} w_n c_n h^n by Horner's rule, c the series of the positions or that of the velocities.
+Coordinates<double> RandomTaylor::weighted_sum(bool of_velocity, double h) const {
+  const bool derivative = of_velocity && options_.velocity == VelocitySeries::derivative;
+  const auto term = [&](int n) { return of_velocity ? series_.velocity(n) : series_.position(n); };
+  // With `derivative`, coefficient n of the velocity carries the weight of coefficient n + 1 of the position.
+  const auto weight = [&](int n) { return law_.weight(derivative ? n + 1 : n); };
+  const auto last = [&](int degree) { return derivative ? degree - 1 : degree; };
+
+  const int top = last(*std::ranges::max_element(degree_));
+  Coordinates<double> sum = Coordinates<double>::Zero(series_.particles(), series_.dimension());
+  for (int n = top; n >= 0; --n) {
+    if (options_.shared_draw) {
+      sum = sum * h + weight(n) * term(n);
+    } else {
+      const auto c = term(n);
+      for (int i = 0; i < series_.particles(); ++i)
+        if (n <= last(degree_[i])) sum.row(i) = sum.row(i) * h + weight(n) * c.row(i);
+    }
+  }
+  return sum;
+}
+
+double RandomTaylor::step(State<double>& state, double limit, Report& report) {
+  series_.start(state);
+  draw();
+  if (control_->reads_series()) series_.grow_to(order_needed(law_.max_degree()));
+  const double h = cropped(control_->propose({series_, law_}), limit);
+  if (!(h > 0.0) || state.time + h == state.time) {
+    if (all_finite(series_, report)) report = step_underflow(series_, h);
+    return 0.0;
+  }
+  series_.grow_to(order_needed(*std::ranges::max_element(degree_)));
+
+  Coordinates<double> position = weighted_sum(false, h), velocity = weighted_sum(true, h);
+  if (!position.allFinite() || !velocity.allFinite()) {
+    if (all_finite(series_, report)) all_finite(position, velocity, state.time, report);
+    return 0.0;
+  }
+  state.position = std::move(position);
+  state.velocity = std::move(velocity);
+  last_step_ = h;
+  ++update_;
+
+  ++work_.steps;
+  work_.updates += moving_;
+  work_.coefficients += static_cast<std::uint64_t>(series_.order() - 1) * moving_;
+  work_.element_coefficients = series_.element_coefficients();
+  if (options_.shared_draw) {
+    work_.degrees += static_cast<std::uint64_t>(degree_[0]) * moving_;
+  } else {
+    for (std::size_t i = 0; i < degree_.size(); ++i) work_.degrees += fixed_[i] ? 0 : degree_[i];
+  }
+  return h;
+}
+
+Piece RandomTaylor::piece() const {
+  Piece piece{series_.time(), series_.time() + last_step_, {}, {}};
+  const bool derivative = options_.velocity == VelocitySeries::derivative;
+  const int top = *std::ranges::max_element(degree_);
+  for (int n = 0; n <= top; ++n) {
+    Coordinates<double> x = law_.weight(n) * series_.position(n);
+    if (!options_.shared_draw)
+      for (int i = 0; i < series_.particles(); ++i)
+        if (n > degree_[i]) x.row(i).setZero();
+    if (derivative) {
+      if (n > 0) piece.velocity.push_back(n * x);
+    } else {
+      piece.velocity.push_back(law_.weight(n) * series_.velocity(n));
+      if (!options_.shared_draw)
+        for (int i = 0; i < series_.particles(); ++i)
+          if (n > degree_[i]) piece.velocity.back().row(i).setZero();
+    }
+    piece.position.push_back(std::move(x));
+  }
+  if (piece.velocity.empty()) piece.velocity.push_back(0.0 * series_.velocity(0));  // K = 0 and `derivative`
+  return piece;
+}
+
+std::unique_ptr<Integrator> taylor(const System<double>& system, int degree,
+                                   std::unique_ptr<Control> control) {
+  return std::make_unique<RandomTaylor>(system, fixed_degree(degree), std::move(control));
+}
+
+}  // namespace jetlag
