@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Everything of the library, floor by floor.
+
+#include "jetlag/control/courant.hpp"
+#include "jetlag/control/fixed_step.hpp"
+#include "jetlag/control/halve_double.hpp"
+#include "jetlag/control/jorba_zou.hpp"
+#include "jetlag/control/variance_target.hpp"
+#include "jetlag/forces/forces.hpp"
+#include "jetlag/integrators/leapfrog.hpp"
+#include "jetlag/integrators/taylor.hpp"
+#include "jetlag/motion/energy.hpp"
+#include "jetlag/motion/expansion.hpp"
+#include "jetlag/motion/first_order.hpp"
+#include "jetlag/motion/piece.hpp"
+#include "jetlag/motion/system.hpp"
+#include "jetlag/schedule/lockstep.hpp"
+#include "jetlag/series/eigen.hpp"
+#include "jetlag/series/elementary.hpp"
+#include "jetlag/series/jet.hpp"
+#include "jetlag/tape/program.hpp"
+#include "jetlag/tape/recording.hpp"
+#include "jetlag/truncation/draws.hpp"
+#include "jetlag/truncation/truncation.hpp"

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// A schedule: who is due next, until a given time.
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+
+#include "jetlag/integrators/integrator.hpp"
+
+namespace jetlag {
+
+/// What an observer sees after each step.
+struct StepView {
+  const Integrator& integrator;  // piece() is the motion during this step, work() the cost so far
+  const State<double>& state;    // at the end of the step
+  double begin;                  // [s]
+};
+
+struct RunOptions {
+  std::uint64_t max_steps = std::numeric_limits<std::uint64_t>::max();
+
+  /// Called after every step; returning false ends the run as `interrupted`.
+  std::function<bool(const StepView&)> after_step;
+};
+
+class Schedule {
+ public:
+  virtual ~Schedule() = default;
+
+  /// Moves the state to time `until` exactly. On any outcome but success the state is the last good one.
+  virtual Report run(State<double>& state, double until, const RunOptions& options) = 0;
+
+  virtual const Work& work() const = 0;
+};
+
+}  // namespace jetlag

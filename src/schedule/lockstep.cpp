@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "jetlag/schedule/lockstep.hpp"
+
+#include <stdexcept>
+
+namespace jetlag {
+
+Report Lockstep::run(State<double>& state, double until, const RunOptions& options) {
+  if (!(until >= state.time))
+    throw std::invalid_argument("run: until must not lie before the time of the state");
+  double lost = 0;  // what rounding has cut from state.time
+  for (std::uint64_t step = 0; state.time < until; ++step) {
+    if (step >= options.max_steps)
+      return {Outcome::step_limit,
+              "the largest number of steps, " + std::to_string(options.max_steps) +
+                  ", is used up at t = " + std::to_string(state.time) + "; allow more or take longer steps",
+              -1};
+    Report report;
+    const double begin = state.time, limit = (until - begin) - lost;
+    const double h = integrator_->step(state, limit, report);
+    if (report.outcome != Outcome::success) return report;
+    if (h == limit) {
+      state.time = until;
+    } else {
+      const double length = h + lost;
+      state.time = begin + length;
+      lost = length - (state.time - begin);
+    }
+    if (options.after_step && !options.after_step({*integrator_, state, begin}))
+      return {Outcome::interrupted, "stopped at t = " + std::to_string(state.time), -1};
+  }
+  return {};
+}
+
+}  // namespace jetlag
