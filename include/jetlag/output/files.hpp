@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Files that are either complete or not there, and numbers that keep all their digits.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace jetlag {
+
+/// How long write_file waits. The disk guards against a loss of power and takes milliseconds; files by the thousand go
+/// without.
+enum class Until { on_disk, handed_over };
+
+/// Writes the whole text or leaves everything as it was: the text goes to a temporary file in the same folder and only
+/// then takes the place of the old file. Readers see the old file or the new one, never a part.
+/// Throws std::runtime_error with the path and the system's reason: no folder, disk full, a device and not a file.
+void write_file(const std::filesystem::path& path, std::string_view text, Until until = Until::on_disk);
+
+/// The content of a file. Throws std::runtime_error with the path and the system's reason.
+std::string read_file(const std::filesystem::path& path);
+
+/// The shortest text that reads back to the same double.
+std::string number(double value);
+
+}  // namespace jetlag

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// What a scene looks like: the parts a picture or a file draws, and where they are at one time.
+
+#include <array>
+#include <vector>
+
+#include "jetlag/motion/system.hpp"
+
+namespace jetlag {
+
+/// The parts that stay the same during the motion; all numbers are particles, counted from 0.
+struct Shape {
+  int dimension = 0;  // 1, 2 or 3
+  int particles = 0;
+  std::vector<std::array<int, 2>> lines;       // springs
+  std::vector<std::array<int, 3>> surface;     // triangles; seen from outside they turn left
+  std::vector<std::array<int, 4>> tetrahedra;  // the inside
+  std::vector<int> fixed;
+};
+
+/// Where everything is at one time.
+struct Frame {
+  double time = 0;                         // [s]
+  Coordinates<double> position, velocity;  // [m], [m/s]: shape (particles, dimension)
+};
+
+/// The triangles that belong to one tetrahedron only, turning left when seen from outside, in the order in
+/// which the tetrahedra name them. position [m] tells outside from inside; the tetrahedra may be wound either
+/// way.
+/// Throws std::invalid_argument for a particle that does not exist and for a position that is not in space.
+std::vector<std::array<int, 3>> boundary(const std::vector<std::array<int, 4>>& tetrahedra,
+                                         const Coordinates<double>& position);
+
+/// Throws std::invalid_argument, naming the particle, unless the frame fits the shape and all its numbers are
+/// finite.
+void check_frame(const Shape& shape, const Frame& frame);
+
+}  // namespace jetlag

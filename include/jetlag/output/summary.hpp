@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// What a run amounts to: the content of summary.json.
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+
+#include "jetlag/integrators/integrator.hpp"
+#include "jetlag/motion/energy.hpp"
+#include "jetlag/motion/outcome.hpp"
+#include "jetlag/motion/system.hpp"
+
+namespace jetlag {
+
+struct Summary {
+  Outcome outcome = Outcome::success;
+  std::string message;                     // for all but success: when, which particle, what to do
+  double time = 0;                         // [s], of the last good state
+  Coordinates<double> position, velocity;  // [m], [m/s]
+  bool has_energy = false;
+  Energy initial_energy, final_energy;               // [J]
+  double max_relative_energy_error = 0;              // [1]
+  Eigen::VectorXd initial_momentum, final_momentum;  // [kg m/s]
+  Work work;
+  double wall_seconds = 0;
+  std::string version;
+  std::uint64_t seed = 0;
+  std::string instruction_set;
+  int threads = 1;
+};
+
+/// All keys are always there, "message" when the outcome is not success. Numbers read back to the same
+/// double; null stands for a number that is not finite, and for the energies of a run that did not measure
+/// them.
+std::string to_json(const Summary& summary);
+
+}  // namespace jetlag
