@@ -4,7 +4,7 @@
 //
 //   Recording recording;
 //   Recorded x = recording.input({Input::Kind::position, 0, 0});
-//   Tape tape = recording.finish({-4.0 * x * x});            // two operations: square, scale
+//   Tape tape = recording.finish({-4.0 * (x * x)});          // two operations: square, scale
 //
 // Common subexpressions are recorded once, x * x becomes a square, a product with a value that has no series
 // becomes a scaling. A recorded value has no number to compare: `if` on it does not compile.

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Meshes: read from a file or generated.
+
+#include <array>
+#include <filesystem>
+#include <vector>
+
+#include "jetlag/motion/system.hpp"
+
+namespace jetlag {
+
+struct Mesh {
+  Coordinates<double> position;  // [m], shape (vertices, dimension)
+  std::vector<std::array<int, 4>> tetrahedra;
+  std::vector<std::array<int, 3>>
+      triangles;                          // of a plane mesh; for a body, see boundary() in output/shape.hpp
+  std::vector<std::array<int, 2>> edges;  // distinct, a < b, sorted
+};
+
+/// The distinct edges of tetrahedra and triangles, a < b, sorted.
+std::vector<std::array<int, 2>> edges_of(const std::vector<std::array<int, 4>>& tetrahedra,
+                                         const std::vector<std::array<int, 3>>& triangles);
+
+/// Six times the signed volume of a tetrahedron (1-0) x (2-0) . (3-0).
+double six_volumes(const Coordinates<double>& position, const std::array<int, 4>& tetrahedron);
+
+/// A tetrahedral mesh in Medit's ASCII format (.mesh). Sections other than Vertices and Tetrahedra are passed over.
+/// Throws SceneError naming file and line: missing file, truncated or misspelt sections, indices out of range,
+/// coordinates that are not finite, tetrahedra with a vertex twice, without volume or inverted.
+Mesh read_medit(const std::filesystem::path& file);
+
+/// An ellipsoid cut by two planes, filled with tetrahedra.
+/// radii [m] along x, y, z; cells: number of cubes across (even) in x and z, and along y, each of 6 tetrahedra;
+/// lower, upper: the cuts, as fractions of radius y, in (0, 1).
+Mesh truncated_ellipsoid(std::array<double, 3> radii, std::array<int, 2> cells, double lower, double upper);
+
+/// An ellipse cut by two lines, filled with triangles: the plane section of the above.
+Mesh truncated_ellipse(std::array<double, 2> radii, std::array<int, 2> cells, double lower, double upper);
+
+/// Points spacing [m] apart, counts[d] of them along axis d (1, 2 or 3 axes), in a space of `dimension`.
+/// Edges join neighbours along the axes; with `cloth` also along the diagonals (shear) and over two (bend).
+Mesh regular_grid(const std::vector<int>& counts, double spacing, int dimension, bool cloth);
+
+}  // namespace jetlag

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Running a scene, with or without leaving files behind.
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "jetlag/output/energy_table.hpp"
+#include "jetlag/output/shape.hpp"
+#include "jetlag/output/summary.hpp"
+#include "jetlag/scenes/scene.hpp"
+
+namespace jetlag {
+
+struct Progress {
+  double time, until;  // [s]
+  std::uint64_t steps;
+};
+
+struct RunHooks {
+  std::function<void(const Frame&)> frame;          // at time 0 and at each of scene.output.frames times
+  std::function<bool(const Progress&)> after_step;  // false ends the run as `interrupted`
+};
+
+struct RunResult {
+  Summary summary;
+  std::vector<EnergyRow> energies;  // one for each frame, when the scene asks for the energy
+};
+
+/// Runs a scene from its initial state. The energy is measured at frames, on the polynomials of the motion; its error
+/// is relative to the initial energy, or where that is 0 to the largest kinetic energy so far.
+RunResult run_scene(const Scene& scene, const RunHooks& hooks = {});
+
+/// As above, and leaves in `folder`: scene.json, summary.json, energy.csv, frames/run.pvd with a .vtu for each frame,
+/// and where gnuplot is there energy.svg and film.png. What an earlier run left there under these names is replaced.
+/// warnings: what could not be drawn. Throws std::runtime_error naming a file that cannot be written.
+RunResult run_scene_into(const Scene& scene, const std::filesystem::path& folder, const RunHooks& hooks,
+                         std::vector<std::string>& warnings);
+
+}  // namespace jetlag

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// A scene: what is simulated, and how. Read from JSON, checked, and turned into a simulation.
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "jetlag/motion/system.hpp"
+#include "jetlag/output/shape.hpp"
+#include "jetlag/schedule/schedule.hpp"
+#include "jetlag/truncation/truncation.hpp"
+
+namespace jetlag {
+
+struct OutputOptions {
+  int frames = 100;      // besides the first; evenly spaced in time
+  bool energy = true;    // energy.csv, and the energy in the summary
+  bool pictures = true;  // through gnuplot, where it is there
+};
+
+/// A checked scene, ready to run.
+struct Scene {
+  std::string name;
+  std::string json;  // the complete scene, defaults included, so that the run can be repeated
+  std::shared_ptr<const System<double>> system;
+  State<double> initial;
+  Shape shape;  // what a picture shows
+  double until = 0;
+  std::uint64_t seed = 1;
+  std::uint64_t max_steps = 0;
+  OutputOptions output;
+
+  /// A new schedule with its integrator and control, before its first update.
+  std::function<std::unique_ptr<Schedule>()> schedule;
+
+  /// For `check`: the step, when it is the same every time, and the orders of the series that a step needs on average.
+  std::optional<double> fixed_step;
+  double mean_orders = 0;
+};
+
+/// A scene from JSON text. source: what to call it in messages. folder: where relative mesh files are looked for.
+/// Throws SceneError.
+Scene read_scene(std::string_view json, const std::string& source, const std::filesystem::path& folder);
+
+/// A scene by built-in name or from a file, with values replaced: "key.path=value", value in JSON or a plain word.
+/// Throws SceneError.
+Scene load_scene(const std::string& name_or_file, const std::vector<std::string>& settings = {},
+                 std::optional<std::uint64_t> seed = std::nullopt);
+
+/// The scenes that come with the program.
+struct BuiltInScene {
+  std::string name;
+  std::string description;  // one line
+  std::string json;
+};
+const std::vector<BuiltInScene>& built_in_scenes();
+
+}  // namespace jetlag

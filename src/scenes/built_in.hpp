@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The scenes that come with the program, a file each.
+
+#include "jetlag/scenes/scene.hpp"
+
+namespace jetlag {
+
+BuiltInScene body();
+BuiltInScene ellipse();
+BuiltInScene two_body();
+BuiltInScene cloth();
+BuiltInScene chain();
+
+}  // namespace jetlag

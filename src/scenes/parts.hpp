@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The parts of a scene file, each read by a file of its own.
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "jetlag/scenes/mesh.hpp"
+#include "jetlag/scenes/scene.hpp"
+#include "scenes/reader.hpp"
+
+namespace jetlag {
+
+struct Particles {
+  int dimension;
+  State<double> state;
+  std::vector<double> mass;
+  std::vector<bool> fixed;
+  Mesh mesh;  // without vertices and cells where positions were listed
+};
+
+/// "particles": listed, or made by a generator.
+Particles read_particles(const Value& particles, int dimension, std::uint64_t seed,
+                         const std::filesystem::path& folder);
+
+/// "forces": adds the elements of each to the system. Returns the pairs to draw.
+std::vector<std::array<int, 2>> read_forces(const Value& forces, const Particles& particles,
+                                            System<double>& system);
+
+/// "integrator", "control" and "schedule" together.
+struct Method {
+  std::function<std::unique_ptr<Schedule>()> schedule;
+  std::uint64_t max_steps;
+  std::optional<double> fixed_step;
+  double mean_orders;
+};
+Method read_method(const Value& scene, std::shared_ptr<const System<double>> system, std::uint64_t seed);
+
+/// Runs f; a std::invalid_argument becomes a SceneError about `value`.
+template <class F>
+auto checked(const Value& value, F f) {
+  try {
+    return f();
+  } catch (const std::invalid_argument& error) {
+    value.refuse(error.what());
+  }
+}
+
+}  // namespace jetlag

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <numeric>
+
+#include "jetlag/forces/forces.hpp"
+#include "jetlag/scenes/error.hpp"
+#include "scenes/parts.hpp"
+
+namespace jetlag {
+
+namespace {
+
+using Pairs = std::vector<std::array<int, 2>>;
+constexpr std::size_t max_pairs = 50'000'000;
+
+/// "pairs": a list of pairs, "edges" of the mesh, or "all". Listed pairs must be of two different particles that do not
+/// lie in the same place.
+Pairs read_pairs(const Value& value, const Particles& particles, const char* law) {
+  const auto count = static_cast<std::size_t>(particles.state.position.rows());
+  Pairs pairs;
+  if (value.is_string()) {
+    const bool all = value.one_of({"edges", "all"}) == "all";
+    if (!all && particles.mesh.edges.empty())
+      value.refuse("a list of pairs or \"all\": these particles have no mesh");
+    if (all) {
+      if (count * (count - 1) / 2 > max_pairs)
+        value.refuse("at most " + std::to_string(max_pairs) + " pairs");
+      for (std::size_t a = 0; a < count; ++a)
+        for (std::size_t b = a + 1; b < count; ++b)
+          pairs.push_back({static_cast<int>(a), static_cast<int>(b)});
+    } else {
+      pairs = particles.mesh.edges;
+    }
+  } else {
+    if (!value.is_array()) value.refuse("a list of pairs of particles, \"edges\" or \"all\"");
+    const auto last = static_cast<std::int64_t>(count) - 1;
+    for (std::size_t e = 0; e < value.size(); ++e) {
+      const Value pair = value.at(e);
+      if (!pair.is_array() || pair.size() != 2) pair.refuse("two particles");
+      pairs.push_back(
+          {static_cast<int>(pair.at(0).integer(0, last)), static_cast<int>(pair.at(1).integer(0, last))});
+      if (pairs.back()[0] == pairs.back()[1]) pair.refuse("two different particles");
+    }
+  }
+  for (std::size_t e = 0; e < pairs.size(); ++e) {
+    const auto [a, b] = pairs[e];
+    if (particles.state.position.row(a) == particles.state.position.row(b)) {
+      const std::string who = std::to_string(a) + " and " + std::to_string(b);
+      throw SceneError(value.path() + (value.is_string() ? "" : "[" + std::to_string(e) + "]") +
+                       ": particles " + who + " lie in the same place, where the force of a " + law +
+                       " has no direction; must be apart");
+    }
+  }
+  return pairs;
+}
+
+/// Elements in one order, however the scene lists them: by particles, then by parameters.
+template <std::size_t P>
+void sort_elements(Pairs& pairs, std::vector<std::array<double, P>>& parameters) {
+  std::vector<std::size_t> order(pairs.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  for (auto& pair : pairs) std::ranges::sort(pair);
+  std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
+    return std::tie(pairs[a], parameters[a]) < std::tie(pairs[b], parameters[b]);
+  });
+  Pairs sorted_pairs;
+  std::vector<std::array<double, P>> sorted_parameters;
+  for (const std::size_t e : order) {
+    sorted_pairs.push_back(pairs[e]);
+    sorted_parameters.push_back(parameters[e]);
+  }
+  pairs = std::move(sorted_pairs);
+  parameters = std::move(sorted_parameters);
+}
+
+/// The particles that are not fixed, as elements of one participant.
+std::vector<std::array<int, 1>> moving(const Particles& particles) {
+  std::vector<std::array<int, 1>> all;
+  for (std::size_t i = 0; i < particles.fixed.size(); ++i)
+    if (!particles.fixed[i]) all.push_back({static_cast<int>(i)});
+  return all;
+}
+
+Pairs read_spring(const Value& force, const Particles& particles, System<double>& system) {
+  force.only({"type", "pairs", "stiffness", "rest_length"});
+  Pairs pairs = read_pairs(force.at("pairs", "edges"), particles, "spring");
+  const auto stiffness = force.at("stiffness").numbers(pairs.size(), non_negative, "spring");
+  const Value rest = force.at("rest_length", "initial");
+  std::vector<double> length;
+  if (rest.is_string()) {
+    rest.one_of({"initial"});
+    for (const auto& [a, b] : pairs)
+      length.push_back((particles.state.position.row(a) - particles.state.position.row(b)).norm());
+  } else {
+    length = rest.numbers(pairs.size(), positive, "spring");
+  }
+  std::vector<std::array<double, 2>> parameters;
+  for (std::size_t e = 0; e < pairs.size(); ++e) parameters.push_back({stiffness[e], length[e]});
+  sort_elements(pairs, parameters);
+  system.add<Spring>(pairs, parameters);
+  return pairs;
+}
+
+Pairs read_gravity(const Value& force, const Particles& particles, System<double>& system) {
+  force.only({"type", "pairs", "constant"});
+  Pairs pairs = read_pairs(force.at("pairs", "all"), particles, "gravity");
+  const double constant = force.at("constant", 1.0).number();
+  std::vector<std::array<double, 1>> parameters(pairs.size(), {constant});
+  sort_elements(pairs, parameters);
+  system.add<Gravity>(pairs, parameters);
+  return {};
+}
+
+Pairs read_drag(const Value& force, const Particles& particles, System<double>& system) {
+  force.only({"type", "coefficient"});
+  const auto coefficient = force.at("coefficient").numbers(particles.mass.size(), non_negative, "particle");
+  const auto elements = moving(particles);
+  std::vector<std::array<double, 1>> parameters;
+  for (const auto& [i] : elements) parameters.push_back({coefficient[i]});
+  system.add<Drag>(elements, parameters);
+  return {};
+}
+
+Pairs read_uniform_field(const Value& force, const Particles& particles, System<double>& system) {
+  force.only({"type", "acceleration"});
+  auto g = force.at("acceleration").vector(particles.dimension);
+  g.resize(3, 0.0);
+  system.add<UniformField>(moving(particles), {{g[0], g[1], g[2]}});
+  return {};
+}
+
+struct ForceReader {
+  const char* type;
+  Pairs (*read)(const Value&, const Particles&, System<double>&);  // returns the pairs to draw
+};
+constexpr ForceReader readers[] = {{Spring::name, read_spring},
+                                   {Drag::name, read_drag},
+                                   {UniformField::name, read_uniform_field},
+                                   {Gravity::name, read_gravity}};
+
+}  // namespace
+
+std::vector<std::array<int, 2>> read_forces(const Value& forces, const Particles& particles,
+                                            System<double>& system) {
+  std::vector<std::string> types;
+  for (const auto& reader : readers) types.push_back(reader.type);
+  Pairs lines;
+  for (std::size_t f = 0; f < forces.size(); ++f) {
+    const Value force = forces.at(f);
+    if (!force.is_object()) force.refuse("an object with a type");
+    const std::string type = force.at("type").one_of(types);
+    const auto reader =
+        std::ranges::find(readers, type, [](const ForceReader& r) { return std::string(r.type); });
+    const Pairs drawn = reader->read(force, particles, system);
+    lines.insert(lines.end(), drawn.begin(), drawn.end());
+  }
+  return lines;
+}
+
+}  // namespace jetlag

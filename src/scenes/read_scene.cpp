@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "jetlag/scenes/error.hpp"
+#include "scenes/parts.hpp"
+
+namespace jetlag {
+
+namespace {
+
+OutputOptions read_output(const Value& output) {
+  output.only({"frames", "energy", "pictures"});
+  return {static_cast<int>(output.at("frames", 100).integer(1, 1'000'000)),
+          output.at("energy", true).boolean(), output.at("pictures", true).boolean()};
+}
+
+Shape shape_of(const Particles& particles, std::vector<std::array<int, 2>> lines) {
+  Shape shape;
+  shape.dimension = particles.dimension;
+  shape.particles = static_cast<int>(particles.mass.size());
+  shape.lines = std::move(lines);
+  shape.tetrahedra = particles.mesh.tetrahedra;
+  shape.surface = shape.tetrahedra.empty() ? particles.mesh.triangles
+                                           : boundary(shape.tetrahedra, particles.state.position);
+  for (std::size_t i = 0; i < particles.fixed.size(); ++i)
+    if (particles.fixed[i]) shape.fixed.push_back(static_cast<int>(i));
+  return shape;
+}
+
+Scene read(Json json, const std::filesystem::path& folder) {
+  const Value value(json, "");
+  value.only({"name", "dimension", "particles", "forces", "integrator", "control", "schedule", "until",
+              "seed", "output"});
+  Scene scene;
+  scene.name = value.at("name", "scene").text();
+  scene.seed = value.at("seed", 1).seed();
+  scene.until = value.at("until").number(positive);
+  scene.output = read_output(value.at("output", Json::object()));
+  const auto dimension = static_cast<int>(value.at("dimension", 3).integer(1, 3));
+  Particles particles = read_particles(value.at("particles"), dimension, scene.seed, folder);
+
+  auto system = std::make_shared<System<double>>(dimension, particles.mass);
+  for (std::size_t i = 0; i < particles.fixed.size(); ++i)
+    if (particles.fixed[i]) system->fix(static_cast<int>(i));
+  auto lines = read_forces(value.at("forces", Json::array()), particles, *system);
+  Method method = read_method(value, system, scene.seed);
+
+  scene.shape = shape_of(particles, std::move(lines));
+  scene.initial = std::move(particles.state);
+  scene.system = std::move(system);
+  scene.schedule = std::move(method.schedule);
+  scene.max_steps = method.max_steps;
+  scene.fixed_step = method.fixed_step;
+  scene.mean_orders = method.mean_orders;
+  scene.json = json.dump(2);
+  return scene;
+}
+
+/// A path such as forces[1].stiffness[3] in steps: keys and positions.
+std::vector<std::string> steps_of(const std::string& path) {
+  std::vector<std::string> steps(1);
+  for (const char c : path) {
+    if (c == '.' || c == '[') {
+      if (!steps.back().empty()) steps.emplace_back();
+    } else if (c != ']') {
+      steps.back() += c;
+    }
+  }
+  if (steps.back().empty()) steps.pop_back();
+  return steps;
+}
+
+/// "key.path=value" put into the scene.
+void apply_setting(Json& json, const std::string& setting) {
+  const auto equals = setting.find('=');
+  if (equals == std::string::npos || equals == 0)
+    throw SceneError("--set " + setting + ": must be key.path=value, such as control.step=0.01");
+  const std::string path = setting.substr(0, equals), text = setting.substr(equals + 1);
+  Json* at = &json;
+  for (const std::string& step : steps_of(path)) {
+    if (at->is_array()) {
+      const bool digits =
+          !step.empty() && step.size() < 10 && step.find_first_not_of("0123456789") == std::string::npos;
+      const std::size_t i = digits ? std::stoul(step) : at->size();
+      if (i >= at->size())
+        throw SceneError("--set " + path + ": got [" + step + "]; must be a position below " +
+                         std::to_string(at->size()));
+      at = &(*at)[i];
+    } else if (at->is_object() || at->is_null()) {
+      at = &(*at)[step];
+    } else {
+      throw SceneError("--set " + path + ": " + step + " lies within a value that is not an object or array");
+    }
+  }
+  *at = Json::accept(text) ? parse_json(text, "--set " + path) : Json(text);
+}
+
+}  // namespace
+
+Scene read_scene(std::string_view json, const std::string& source, const std::filesystem::path& folder) {
+  return read(parse_json(json, source), folder);
+}
+
+Scene load_scene(const std::string& name_or_file, const std::vector<std::string>& settings,
+                 std::optional<std::uint64_t> seed) {
+  Json json;
+  std::filesystem::path folder = std::filesystem::current_path();
+  const auto& scenes = built_in_scenes();
+  const auto built_in = std::ranges::find(scenes, name_or_file, &BuiltInScene::name);
+  if (built_in != scenes.end()) {
+    json = parse_json(built_in->json, name_or_file);
+  } else {
+    std::string names;
+    for (const auto& scene : scenes) names += (names.empty() ? "" : ", ") + scene.name;
+    std::ifstream file(name_or_file, std::ios::binary);
+    if (!std::filesystem::is_regular_file(name_or_file) || !file)
+      throw SceneError("scene: got \"" + name_or_file + "\"; must be one of " + names +
+                       ", or a JSON file that can be read");
+    const std::string text(std::istreambuf_iterator<char>(file), {});
+    json = parse_json(text, name_or_file);
+    folder = std::filesystem::absolute(name_or_file).parent_path();
+  }
+  if (!json.is_object()) throw SceneError("(the whole scene): must be a JSON object");
+  for (const std::string& setting : settings) apply_setting(json, setting);
+  if (seed) json["seed"] = *seed;
+  return read(std::move(json), folder);
+}
+
+}  // namespace jetlag

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include "scenes/reader.hpp"
+
+#include <cmath>
+#include <set>
+
+#include "jetlag/scenes/error.hpp"
+
+namespace jetlag {
+
+namespace {
+
+std::string shortened(const std::string& text) {
+  return text.size() <= 60 ? text : text.substr(0, 57) + "...";
+}
+
+/// "a, b or c"
+template <class Names>
+std::string listed(const Names& names) {
+  std::string text;
+  std::size_t i = 0;
+  for (const auto& name : names) {
+    text += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + std::string(name);
+    ++i;
+  }
+  return text;
+}
+
+/// Walks through JSON text and keeps the path of where it is.
+class PathFinder : public nlohmann::json_sax<Json> {
+ public:
+  explicit PathFinder(std::string source) : source_(std::move(source)) {}
+
+  std::string path() const {
+    std::string text;
+    for (const Level& level : levels_) {
+      if (level.is_object)
+        text += (text.empty() ? "" : ".") + level.key;
+      else
+        text += "[" + std::to_string(level.index) + "]";
+    }
+    return text.empty() ? "(the whole scene)" : text;
+  }
+
+  bool null() override { return value(); }
+  bool boolean(bool) override { return value(); }
+  bool number_integer(number_integer_t) override { return value(); }
+  bool number_unsigned(number_unsigned_t) override { return value(); }
+  bool number_float(number_float_t, const string_t&) override { return value(); }
+  bool string(string_t&) override { return value(); }
+  bool binary(binary_t&) override { return value(); }
+  bool start_object(std::size_t) override { return open(true); }
+  bool start_array(std::size_t) override { return open(false); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+  bool key(string_t& name) override {
+    levels_.back().key = name;
+    if (!levels_.back().keys.insert(name).second)
+      throw SceneError(path() + ": the key is given twice in " + source_ + "; give it once");
+    return true;
+  }
+  bool parse_error(std::size_t, const std::string& token, const nlohmann::detail::exception& error) override {
+    std::string why = error.what();
+    if (const auto bracket = why.find("] "); bracket != std::string::npos) why = why.substr(bracket + 2);
+    if (error.id == 406)
+      throw SceneError(path() + ": got " + shortened(token) + " in " + source_ +
+                       "; must be a number within the range of double");
+    throw SceneError(path() + ": " + source_ + " is not well-formed JSON: " + why +
+                     "; numbers are finite, names are in double quotes");
+  }
+
+ private:
+  struct Level {
+    bool is_object;
+    std::string key;
+    std::size_t index = 0;
+    std::set<std::string> keys;
+  };
+  bool value() {
+    if (!levels_.empty() && !levels_.back().is_object) ++levels_.back().index;
+    return true;
+  }
+  bool open(bool is_object) {
+    if (levels_.size() >= 32) throw SceneError(path() + ": nested deeper than 32 levels in " + source_);
+    levels_.push_back({is_object, "", 0, {}});
+    return true;
+  }
+  bool close() {
+    levels_.pop_back();
+    return value();
+  }
+
+  std::string source_;
+  std::vector<Level> levels_;
+};
+
+}  // namespace
+
+Json parse_json(std::string_view text, const std::string& source) {
+  PathFinder finder(source);
+  Json::sax_parse(text, &finder);
+  return Json::parse(text);
+}
+
+void Value::refuse(const std::string& allowed) const {
+  throw SceneError(path_ + ": got " + shortened(json_->dump()) + "; must be " + allowed);
+}
+
+const Value& Value::only(std::initializer_list<std::string_view> keys) const {
+  if (!json_->is_object()) refuse("an object with the keys " + listed(keys));
+  for (const auto& [key, value] : json_->items())
+    if (std::find(keys.begin(), keys.end(), key) == keys.end())
+      throw SceneError((path_.empty() ? key : path_ + "." + key) + ": unknown key (its value is " +
+                       shortened(value.dump()) + "); allowed here: " + listed(keys));
+  return *this;
+}
+
+bool Value::has(const std::string& key) const { return json_->is_object() && json_->contains(key); }
+
+Value Value::at(const std::string& key) const {
+  const std::string path = path_.empty() ? key : path_ + "." + key;
+  if (!has(key)) throw SceneError(path + ": is missing");
+  return {(*json_)[key], path};
+}
+
+std::optional<Value> Value::find(const std::string& key) const {
+  return has(key) ? std::optional(at(key)) : std::nullopt;
+}
+
+Value Value::at(const std::string& key, Json fallback) const {
+  if (!has(key)) (*json_)[key] = std::move(fallback);
+  return at(key);
+}
+
+std::size_t Value::size() const {
+  if (!json_->is_array()) refuse("an array");
+  return json_->size();
+}
+
+Value Value::at(std::size_t i) const { return {(*json_)[i], path_ + "[" + std::to_string(i) + "]"}; }
+
+double Value::number(const Range& range) const {
+  if (!json_->is_number()) refuse(range.words);
+  const double x = json_->get<double>();
+  if (!std::isfinite(x) || !range.contains(x)) refuse(range.words);
+  return x;
+}
+
+std::int64_t Value::integer(std::int64_t low, std::int64_t high) const {
+  const std::string allowed = "a whole number from " + std::to_string(low) + " to " + std::to_string(high);
+  if (!json_->is_number_integer()) refuse(allowed);
+  if (json_->is_number_unsigned() && json_->get<std::uint64_t>() > static_cast<std::uint64_t>(high))
+    refuse(allowed);
+  const auto x = json_->get<std::int64_t>();
+  if (x < low || x > high) refuse(allowed);
+  return x;
+}
+
+std::uint64_t Value::seed() const {
+  const bool whole =
+      json_->is_number_unsigned() || (json_->is_number_integer() && json_->get<std::int64_t>() >= 0);
+  if (!whole) refuse("a whole number from 0 to 18446744073709551615");
+  return json_->get<std::uint64_t>();
+}
+
+bool Value::boolean() const {
+  if (!json_->is_boolean()) refuse("true or false");
+  return json_->get<bool>();
+}
+
+std::string Value::text() const {
+  if (!json_->is_string()) refuse("a string");
+  return json_->get<std::string>();
+}
+
+std::string Value::one_of(const std::vector<std::string>& names) const {
+  if (!json_->is_string() || std::find(names.begin(), names.end(), json_->get<std::string>()) == names.end())
+    refuse(listed(names));
+  return json_->get<std::string>();
+}
+
+std::vector<double> Value::numbers(std::size_t count, const Range& range, const char* what) const {
+  if (json_->is_number()) return std::vector<double>(count, number(range));
+  if (!json_->is_array()) refuse(std::string(range.words) + ", or an array of them, one for each " + what);
+  if (size() != count)
+    throw SceneError(path_ + ": got " + std::to_string(size()) + " numbers; must be one number, or " +
+                     std::to_string(count) + ", one for each " + what);
+  std::vector<double> all;
+  for (std::size_t i = 0; i < count; ++i) all.push_back(at(i).number(range));
+  return all;
+}
+
+std::vector<double> Value::vector(std::size_t count, const Range& range) const {
+  if (!json_->is_array() || json_->size() != count)
+    refuse("an array of " + std::to_string(count) + " numbers");
+  return numbers(count, range, "component");
+}
+
+}  // namespace jetlag

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Reading JSON with the path of every value at hand, so that an error names the key, the value and what is allowed.
+
+#include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace jetlag {
+
+using Json = nlohmann::ordered_json;
+
+/// Parses JSON text. Throws SceneError naming the path where it breaks: not well-formed, a number beyond double, a key
+/// given twice, nesting deeper than 32.
+Json parse_json(std::string_view text, const std::string& source);
+
+/// A range of numbers, with the words for it.
+struct Range {
+  double low, high;
+  bool low_included, high_included;
+  const char* words;
+  bool contains(double x) const {
+    return (low_included ? x >= low : x > low) && (high_included ? x <= high : x < high);
+  }
+};
+inline constexpr double infinite = std::numeric_limits<double>::infinity();
+inline constexpr Range any_number{-infinite, infinite, false, false, "a finite number"};
+inline constexpr Range positive{0, infinite, false, false, "a number > 0"};
+inline constexpr Range non_negative{0, infinite, true, false, "a number >= 0"};
+
+/// A value and its path.
+class Value {
+ public:
+  Value(Json& json, std::string path) : json_(&json), path_(std::move(path)) {}
+
+  const std::string& path() const { return path_; }
+
+  /// Throws SceneError: "path: got VALUE; must be ALLOWED".
+  [[noreturn]] void refuse(const std::string& allowed) const;
+
+  bool is_string() const { return json_->is_string(); }
+  bool is_array() const { return json_->is_array(); }
+  bool is_object() const { return json_->is_object(); }
+  bool is_number() const { return json_->is_number(); }
+
+  /// An object with no other keys than these.
+  const Value& only(std::initializer_list<std::string_view> keys) const;
+  bool has(const std::string& key) const;
+  Value at(const std::string& key) const;  // refuses when missing
+  std::optional<Value> find(const std::string& key) const;
+
+  /// The value of a key, put in when missing: a scene that has been read is complete.
+  Value at(const std::string& key, Json fallback) const;
+
+  /// Puts another value in its place.
+  void replace(Json value) const { *json_ = std::move(value); }
+
+  std::size_t size() const;  // of an array; refuses anything else
+  Value at(std::size_t i) const;
+
+  double number(const Range& range = any_number) const;
+  std::int64_t integer(std::int64_t low, std::int64_t high) const;
+  std::uint64_t seed() const;
+  bool boolean() const;
+  std::string text() const;
+  std::string one_of(const std::vector<std::string>& names) const;
+
+  /// `count` numbers: an array of that length, or one number for all. what: "particle", "spring", ...
+  std::vector<double> numbers(std::size_t count, const Range& range, const char* what) const;
+
+  /// A vector of exactly `count` numbers.
+  std::vector<double> vector(std::size_t count, const Range& range = any_number) const;
+
+ private:
+  Json* json_;
+  std::string path_;
+};
+
+}  // namespace jetlag

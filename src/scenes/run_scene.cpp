@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include "jetlag/scenes/run_scene.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include "jetlag/output/files.hpp"
+#include "jetlag/output/pictures.hpp"
+#include "jetlag/output/vtu.hpp"
+#include "jetlag/tape/kernels.hpp"
+#include "jetlag/version.hpp"
+
+namespace jetlag {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Hands out the frames that fall into each step, and keeps the table of energies.
+class Recorder {
+ public:
+  Recorder(const Scene& scene, const RunHooks& hooks, RunResult& result)
+      : scene_(scene), hooks_(hooks), result_(result) {
+    if (scene.output.energy) meter_.emplace(*scene.system);
+    record(scene.initial);
+  }
+
+  void after_step(const StepView& view) {
+    std::optional<Piece> piece;
+    while (next_ <= scene_.output.frames && time_of(next_) <= view.state.time) {
+      const double t = time_of(next_);
+      if (t == view.state.time) {
+        record(view.state);
+      } else {
+        if (!piece) piece = view.integrator.piece();
+        record(piece->at(t));
+      }
+    }
+  }
+
+ private:
+  double time_of(int frame) const {
+    return frame == scene_.output.frames ? scene_.until : scene_.until * frame / scene_.output.frames;
+  }
+
+  void record(const State<double>& state) {
+    ++next_;
+    if (meter_) {
+      const Energy energy = (*meter_)(state);
+      if (result_.energies.empty()) result_.summary.initial_energy = energy;
+      largest_kinetic_ = std::max(largest_kinetic_, energy.kinetic);
+      const double initial = result_.summary.initial_energy.total();
+      const double scale = initial != 0 ? std::abs(initial) : largest_kinetic_;
+      const double error = scale > 0 ? (energy.total() - initial) / scale : 0.0;
+      result_.energies.push_back({state.time, energy, error});
+      double& worst = result_.summary.max_relative_energy_error;
+      worst = std::max(worst, std::abs(error));
+    }
+    if (hooks_.frame) hooks_.frame({state.time, state.position, state.velocity});
+  }
+
+  const Scene& scene_;
+  const RunHooks& hooks_;
+  RunResult& result_;
+  std::optional<EnergyMeter> meter_;
+  double largest_kinetic_ = 0;
+  int next_ = 0;
+};
+
+/// Keeps frames for the film strip: all of a small scene, evenly spaced ones of a large one.
+class FilmFrames {
+ public:
+  explicit FilmFrames(const Scene& scene) {
+    const double numbers = 2.0 * scene.shape.particles * scene.shape.dimension * (scene.output.frames + 1);
+    stride_ = std::max(1, static_cast<int>(numbers / 4e6));
+    stride_ = std::min(stride_, std::max(1, scene.output.frames / 12));
+  }
+  void add(const Frame& frame) {
+    if (count_++ % stride_ == 0)
+      frames_.push_back(frame);
+    else
+      last_ = frame;
+  }
+  std::vector<Frame> all() const {
+    auto frames = frames_;
+    if (last_.time > frames.back().time) frames.push_back(last_);
+    return frames;
+  }
+
+ private:
+  int stride_, count_ = 0;
+  std::vector<Frame> frames_;
+  Frame last_;
+};
+
+void remove_earlier_run(const std::filesystem::path& folder) {
+  for (const char* name : {"summary.json", "energy.csv", "energy.svg", "film.png", "film.svg"})
+    std::filesystem::remove(folder / name);
+  if (std::filesystem::is_directory(folder / "frames"))
+    for (const auto& entry : std::filesystem::directory_iterator(folder / "frames"))
+      if (entry.path().extension() == ".vtu" || entry.path().extension() == ".pvd")
+        std::filesystem::remove(entry.path());
+}
+
+}  // namespace
+
+RunResult run_scene(const Scene& scene, const RunHooks& hooks) {
+  RunResult result;
+  Summary& summary = result.summary;
+  State<double> state = scene.initial;
+  const auto schedule = scene.schedule();
+  Recorder recorder(scene, hooks, result);
+
+  double recording = 0;  // seconds spent on frames and hooks, which are not part of the integration
+  const auto start = Clock::now();
+  RunOptions options;
+  options.max_steps = scene.max_steps;
+  options.after_step = [&](const StepView& view) {
+    const auto begin = Clock::now();
+    recorder.after_step(view);
+    const bool go_on =
+        !hooks.after_step || hooks.after_step({view.state.time, scene.until, schedule->work().steps});
+    recording += seconds_since(begin);
+    return go_on;
+  };
+  const Report report = schedule->run(state, scene.until, options);
+  summary.wall_seconds = seconds_since(start) - recording;
+
+  summary.outcome = report.outcome;
+  summary.message = report.message;
+  summary.time = state.time;
+  summary.has_energy = scene.output.energy;
+  if (scene.output.energy) summary.final_energy = EnergyMeter(*scene.system)(state);
+  summary.initial_momentum = momentum(*scene.system, scene.initial);
+  summary.final_momentum = momentum(*scene.system, state);
+  summary.work = schedule->work();
+  summary.position = std::move(state.position);
+  summary.velocity = std::move(state.velocity);
+  summary.version = version;
+  summary.seed = scene.seed;
+  summary.instruction_set = kernels<double>().instruction_set;
+  return result;
+}
+
+RunResult run_scene_into(const Scene& scene, const std::filesystem::path& folder, const RunHooks& hooks,
+                         std::vector<std::string>& warnings) {
+  std::filesystem::create_directories(folder / "frames");
+  remove_earlier_run(folder);
+  write_file(folder / "scene.json", scene.json + "\n");
+
+  FilmFrames film(scene);
+  std::vector<double> times;
+  std::vector<std::string> names;
+  RunHooks all = hooks;
+  all.frame = [&](const Frame& frame) {
+    const std::string digits = std::to_string(names.size());
+    names.push_back("frame_" + std::string(6 - std::min<std::size_t>(6, digits.size()), '0') + digits +
+                    ".vtu");
+    times.push_back(frame.time);
+    write_vtu(folder / "frames" / names.back(), scene.shape, frame);
+    film.add(frame);
+    if (hooks.frame) hooks.frame(frame);
+  };
+  RunResult result = run_scene(scene, all);
+  write_pvd(folder / "frames" / "run.pvd", times, names);
+  if (scene.output.energy) write_energy_csv(folder / "energy.csv", result.energies);
+  write_file(folder / "summary.json", to_json(result.summary));
+
+  if (scene.output.pictures && !can_draw()) {
+    warnings.push_back("gnuplot is not installed: no pictures are drawn");
+  } else if (scene.output.pictures) {
+    try {
+      if (scene.output.energy) draw_energy(folder / "energy.csv", folder / "energy.svg", scene.name);
+      draw_film(folder / "film.png", scene.shape, film.all(), scene.name);
+    } catch (const std::runtime_error& error) {
+      warnings.push_back(error.what());
+    }
+  }
+  return result;
+}
+
+}  // namespace jetlag

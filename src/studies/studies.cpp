@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#include "studies/studies.hpp"
+
+#include "studies/paper_table.hpp"
+
+namespace jetlag {
+
+void add_studies(CLI::App& app, std::optional<Study>& chosen) {
+  auto* study = app.add_subcommand("study", "make a table from many runs");
+  study->require_subcommand(1);
+  add_paper_table(*study, chosen);
+}
+
+}  // namespace jetlag

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+// Scenes as users run them: the contracts of the scene file and of the summary.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "jetlag/scenes/error.hpp"
+#include "jetlag/scenes/run_scene.hpp"
+#include "support/program.hpp"
+
+namespace jetlag::testing {
+namespace {
+
+using Json = nlohmann::json;
+
+Json summary_of(const std::string& arguments) {
+  const TemporaryFolder folder;
+  const Ended run =
+      program("run " + arguments + " --quiet --out out --set output.pictures=false", folder.path());
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  return Json::parse(content(folder / "out/summary.json"));
+}
+
+TEST(Scenes, AllBuiltInOnesAreListedValidAndComplete) {
+  const TemporaryFolder folder;
+  const std::string list = program("scenes", folder.path()).output;
+  for (const auto& scene : built_in_scenes()) {
+    EXPECT_NE(list.find(scene.name), std::string::npos);
+    EXPECT_EQ(program("check " + scene.name, folder.path()).exit_code, 0);
+    const Ended show = program("show " + scene.name, folder.path());
+    ASSERT_EQ(show.exit_code, 0);
+    // What `show` prints is a scene file that says the same.
+    EXPECT_EQ(read_scene(show.output, "show", folder.path()).json, load_scene(scene.name).json);
+  }
+}
+
+TEST(Scenes, LeaveWhatTheContractPromises) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(program("run chain --out out --set output.frames=7 --set until=0.5", folder.path()).exit_code, 0);
+  for (const char* name :
+       {"summary.json", "scene.json", "energy.csv", "frames/run.pvd", "frames/frame_000007.vtu"})
+    EXPECT_TRUE(std::filesystem::exists(folder / "out" / name)) << name;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out/frames/frame_000008.vtu"));
+  const Json summary = Json::parse(content(folder / "out/summary.json"));
+  EXPECT_EQ(summary["outcome"], "success");
+  EXPECT_EQ(summary["time"], 0.5);
+  EXPECT_EQ(summary["seed"], 1);
+  EXPECT_EQ(summary["position"].size(), 3u);
+  EXPECT_EQ(summary["position"][0][0], 0.0);  // fixed
+  EXPECT_EQ(summary["work"]["updates"], 2 * summary["work"]["steps"].get<int>());
+  for (const char* key : {"energy", "momentum", "wall_seconds", "version", "instruction_set", "threads"})
+    EXPECT_TRUE(summary.contains(key)) << key;
+}
+
+TEST(Scenes, FewerFramesThanBeforeLeaveNoOldOnes) {
+  const TemporaryFolder folder;
+  for (const char* frames : {"9", "3"})
+    ASSERT_EQ(program(std::string("run chain --out out --set until=0.1 --set output.frames=") + frames,
+                      folder.path())
+                  .exit_code,
+              0);
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/frames/frame_000003.vtu"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "out/frames/frame_000004.vtu"));
+}
+
+TEST(Scenes, TwoBodyEndsWhereItBegan) {  // after 100 periods; reference: Kepler's orbit is closed
+  const Json summary = summary_of("two_body");
+  EXPECT_LT(summary["energy"]["max_relative_error"].get<double>(), 1e-13);
+  // A relative energy error e shifts the phase by 3 pi e each period, 100 periods: below 1e-10 for e = 1e-13.
+  EXPECT_NEAR(summary["position"][1][0].get<double>(), 0.5, 1e-10);
+  EXPECT_NEAR(summary["position"][1][1].get<double>(), 0.0, 1e-10);
+}
+
+TEST(Scenes,
+     FramesAreTakenFromTheMotionAtTheirTimes) {  // a free particle on a parabola: exact for any degree >= 2
+  const Scene scene =
+      read_scene(R"({"dimension": 2, "particles": {"position": [[0, 0]], "velocity": [[1, 2]]},
+    "forces": [{"type": "uniform_field", "acceleration": [0, -9.8]}], "integrator": {"type": "taylor", "degree": 4},
+    "control": {"type": "fixed", "step": 0.3}, "until": 1, "output": {"frames": 8}})",
+                 "test", ".");
+  std::vector<double> times;
+  RunHooks hooks;
+  hooks.frame = [&](const Frame& frame) {
+    const double t = frame.time;
+    times.push_back(t);
+    EXPECT_NEAR(frame.position(0, 0), t, 4e-16);  // a few roundings of numbers below 2
+    EXPECT_NEAR(frame.position(0, 1), 2 * t - 4.9 * t * t, 4e-15);
+    EXPECT_NEAR(frame.velocity(0, 1), 2 - 9.8 * t, 4e-15);
+  };
+  const RunResult result = run_scene(scene, hooks);
+  EXPECT_EQ(times, (std::vector<double>{0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1}));
+  EXPECT_EQ(result.energies.size(), 9u);
+  EXPECT_EQ(result.summary.work.steps, 4u);
+}
+
+TEST(Scenes, SameSeedSameBitsOtherSeedOtherBits) {
+  const std::string scene = "body --set until=0.2 --set output.frames=2";
+  const Json a = summary_of(scene), b = summary_of(scene), c = summary_of(scene + " --seed 2");
+  EXPECT_EQ(a["position"], b["position"]);
+  EXPECT_EQ(a["velocity"], b["velocity"]);
+  EXPECT_NE(a["position"], c["position"]);
+}
+
+TEST(Scenes, CanBeRepeatedFromWhatTheyLeave) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(program("run cloth --out a --set until=0.1 --set output.pictures=false --seed 7", folder.path())
+                .exit_code,
+            0);
+  ASSERT_EQ(program("run a/scene.json --out b", folder.path()).exit_code, 0);
+  EXPECT_EQ(content(folder / "a/scene.json"), content(folder / "b/scene.json"));
+  EXPECT_EQ(content(folder / "a/frames/frame_000100.vtu"), content(folder / "b/frames/frame_000100.vtu"));
+}
+
+TEST(Scenes, OrderAndDirectionOfSpringsDoNotMatter) {
+  const auto end = [](const char* springs) {
+    const std::string text =
+        std::string(R"({"dimension": 3, "particles": {"position": [[0,0,0],[1,0,0],[0,1,0],[0,0,1]],
+      "velocity": [[0.1,0,0],[0,0.2,0],[0,0,0.3],[0.1,0.1,0]]}, "forces": [{"type": "spring", )") +
+        springs + R"(}],
+      "integrator": {"type": "taylor", "degree": 8}, "control": {"type": "fixed", "step": 0.05}, "until": 2,
+      "output": {"frames": 1}})";
+    return run_scene(read_scene(text, "test", ".")).summary.position;
+  };
+  const auto a = end(
+      R"("pairs": [[0,1],[0,2],[1,2],[2,3],[0,1]], "stiffness": [1,2,3,4,5], "rest_length": [1,1,1,1,0.5])");
+  const auto b = end(
+      R"("pairs": [[3,2],[1,0],[2,1],[1,0],[2,0]], "stiffness": [4,5,3,1,2], "rest_length": [1,0.5,1,1,1])");
+  EXPECT_EQ(a, b);  // bit for bit
+}
+
+TEST(Scenes, SettingsReachEveryValue) {
+  const Scene scene = load_scene("chain",
+                                 {"forces[0].stiffness[1]=2.5", "control.step=0.01", "name=other",
+                                  "output={\"frames\": 3}", "particles.mass=[1,2,3]"},
+                                 9);
+  const auto json = Json::parse(scene.json);
+  EXPECT_EQ(json["forces"][0]["stiffness"], (std::vector<double>{5000, 2.5}));
+  EXPECT_EQ(json["control"]["step"], 0.01);
+  EXPECT_EQ(json["name"], "other");
+  EXPECT_EQ(json["seed"], 9);
+  EXPECT_EQ(scene.output.frames, 3);
+  EXPECT_EQ(scene.system->mass(), (std::vector<double>{1, 2, 3}));
+}
+
+TEST(Scenes, ForcesThatAreNotListedCostNothing) {
+  const auto elements = [](const char* forces) {
+    return read_scene(
+               std::string(R"({"dimension": 1, "particles": {"position": [[0],[1]]}, "forces": [)") + forces +
+                   R"(], "integrator": {"type": "leapfrog"}, "control": {"type": "fixed", "step": 0.1}, "until": 1})",
+               "test", ".")
+        .system->elements()
+        .size();
+  };
+  EXPECT_EQ(elements(""), 0u);
+  EXPECT_EQ(elements(R"({"type": "gravity"})"), 1u);
+}
+
+TEST(Scenes, EveryIntegratorAndControlRuns) {
+  const std::string ends = " --set until=0.2 --set output.frames=2";
+  for (
+      const char* method :
+      {R"(--set integrator='{"type":"leapfrog"}')", R"(--set integrator='{"type":"taylor","degree":4}')",
+       R"(--set integrator='{"type":"taylor","degree":7,"velocity":"derivative"}')",
+       R"(--set integrator='{"type":"taylor"}' --set control='{"type":"jorba_zou","tolerance":1e-12}')",
+       R"(--set integrator.shared_draw=false)", R"(--set integrator.velocity=derivative)",
+       R"(--set integrator.max_degree=8 --set integrator.min_degree=6 --set control.courant=0.5)",
+       R"(--set control='{"type":"variance","step":0.001,"max_step":0.01,"tolerance_random":1e-6,"tolerance_bias":1e-6}')",
+       R"(--set control='{"type":"halve_double","step":0.001,"max_step":0.01,"min_variance":1e-16,"max_variance":1e-10}')"}) {
+    const Json summary = summary_of("chain " + std::string(method) + ends);
+    EXPECT_EQ(summary["time"], 0.2) << method;
+  }
+}
+
+TEST(FailedRuns, SayWhyAndLeaveTheLastGoodState) {
+  const TemporaryFolder folder;
+  // Two masses fall into each other: the speed grows without bound at t = pi / (2 sqrt 2) sqrt(1/8) ... in finite time.
+  write(folder / "fall.json",
+        R"({"dimension": 1, "particles": {"position": [[0], [1]]}, "forces": [{"type": "gravity"}],
+    "integrator": {"type": "taylor", "degree": 12}, "control": {"type": "jorba_zou"}, "until": 5})");
+  const Ended run = program("run fall.json --out out --quiet", folder.path());
+  EXPECT_EQ(run.exit_code, 3) << run.output;
+  const std::string text = content(folder / "out/summary.json");
+  const Json summary = Json::parse(text);
+  EXPECT_NE(summary["outcome"], "success");
+  // They meet at t = (pi/2) sqrt(r^3 / (2 G (m + m))) = pi/4, the free-fall time.
+  EXPECT_NEAR(summary["time"].get<double>(), std::numbers::pi / 4, 1e-3);
+  EXPECT_NE(summary["message"].get<std::string>().find("particle"), std::string::npos);
+  EXPECT_EQ(text.find("null"), std::string::npos) << "not finite numbers in the summary";
+  EXPECT_TRUE(std::isfinite(summary["position"][1][0].get<double>()));
+}
+
+TEST(FailedRuns, StepLimitIsAnOutcome) {
+  const TemporaryFolder folder;
+  const Ended run = program("run chain --out out --set schedule.max_steps=10", folder.path());
+  EXPECT_EQ(run.exit_code, 3);
+  const Json summary = Json::parse(content(folder / "out/summary.json"));
+  EXPECT_EQ(summary["outcome"], "step_limit");
+  EXPECT_EQ(summary["work"]["steps"], 10);
+}
+
+TEST(FailedRuns, FolderThatCannotBeMadeIsNamed) {
+  const TemporaryFolder folder;
+  write(folder / "out", "a file in the way");
+  const Ended run = program("run chain --out out", folder.path());
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.output.find("out"), std::string::npos);
+  EXPECT_EQ(content(folder / "out"), "a file in the way");
+}
+
+}  // namespace
+}  // namespace jetlag::testing
