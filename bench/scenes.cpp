@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "scenes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+#include <vector>
+
+#include "jetlag/forces/gravity.hpp"
+#include "jetlag/forces/spring.hpp"
+
+namespace jetlag::bench {
+
+namespace {
+
+/// Numbers in [-1/2, 1/2), the same everywhere.         Source: Knuth's MMIX generator.
+class Disturbance {
+ public:
+  double operator()() {
+    state_ = state_ * 6364136223846793005u + 1442695040888963407u;
+    return static_cast<double>(state_ >> 11) * 0x1p-53 - 0.5;
+  }
+
+ private:
+  std::uint64_t state_ = 12345;
+};
+
+}  // namespace
+
+std::size_t Scene::elements() const {
+  std::size_t count = 0;
+  for (const auto& elements : system.elements()) count += elements.count();
+  return count;
+}
+
+Scene cloth(int side) {
+  constexpr double spacing = 0.1, stiffness = 5e3;  // [m], [N/m]
+  const auto particle = [&](int i, int j) { return i * side + j; };
+
+  State<double> state{0.0, Coordinates<double>::Zero(side * side, 3),
+                      Coordinates<double>::Zero(side * side, 3)};
+  Disturbance disturbance;
+  for (int i = 0; i < side; ++i)
+    for (int j = 0; j < side; ++j) {
+      auto x = state.position.row(particle(i, j));
+      x[0] = (i + 0.01 * disturbance()) * spacing;
+      x[1] = (j + 0.01 * disturbance()) * spacing;
+      x[2] = 0.02 * std::sin(3.0 * i * spacing) * std::cos(2.0 * j * spacing);
+      state.velocity(particle(i, j), 2) = 0.1 * disturbance();
+    }
+
+  std::vector<std::array<int, 2>> pairs;
+  std::vector<std::array<double, 2>> parameters;
+  const auto connect = [&](int i, int j, int other_i, int other_j) {
+    if (std::max(i, other_i) >= side || std::max(j, other_j) >= side) return;
+    pairs.push_back({particle(i, j), particle(other_i, other_j)});
+    parameters.push_back({stiffness, spacing * std::hypot(other_i - i, other_j - j)});
+  };
+  for (int i = 0; i < side; ++i)
+    for (int j = 0; j < side; ++j) {
+      connect(i, j, i + 1, j);
+      connect(i, j, i, j + 1);
+      connect(i, j, i + 1, j + 1);
+      connect(i + 1, j, i, j + 1);
+      connect(i, j, i + 2, j);
+      connect(i, j, i, j + 2);
+    }
+
+  System<double> system(3, std::vector<double>(side * side, 1.0));
+  system.add<Spring>(pairs, parameters);
+  return {"cloth" + std::to_string(side), std::move(system), std::move(state)};
+}
+
+Scene kepler() {
+  State<double> state{0.0, Coordinates<double>(2, 3), Coordinates<double>(2, 3)};
+  state.position << -0.2, 0.1, 0.05, 0.6, -0.3, -0.15;
+  state.velocity << 0.1, 0.3, -0.2, -0.3, -0.9, 0.6;
+  System<double> system(3, {3.0, 1.0});
+  system.add<Gravity>({{0, 1}}, {{1.0}});
+  return {"kepler", std::move(system), std::move(state)};
+}
+
+Scene scene(const std::string& name) {
+  if (name == "cloth10") return cloth(10);
+  if (name == "cloth50") return cloth(50);
+  if (name == "kepler") return kepler();
+  throw std::invalid_argument("scene: '" + name + "' is not one of cloth10, cloth50, kepler");
+}
+
+}  // namespace jetlag::bench
