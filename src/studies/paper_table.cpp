@@ -22,6 +22,7 @@ struct Arguments {
   std::string mesh, csv;
   double step = 0.005, until = 12.0;
   std::uint64_t seed = 1;
+  std::vector<int> only;  // numbers of rows; empty: all
 };
 
 struct Row {
@@ -82,6 +83,7 @@ int run_table(const Arguments& arguments) {
   int number_of_row = 0;
   for (const Row& row : rows) {
     ++number_of_row;
+    if (!arguments.only.empty() && std::ranges::count(arguments.only, number_of_row) == 0) continue;
     const Scene scene = read_scene(scene_of(row, arguments).dump(), "paper table", ".");
     const RunResult result = run_scene(scene);
     const Summary& summary = result.summary;
@@ -121,6 +123,7 @@ void add_paper_table(CLI::App& study, std::optional<Study>& chosen) {
   command->add_option("--step", arguments->step, "first step [s]")->capture_default_str();
   command->add_option("--until", arguments->until, "end of the runs [s]")->capture_default_str();
   command->add_option("--seed", arguments->seed, "seed")->capture_default_str();
+  command->add_option("--rows", arguments->only, "run only these rows (1 to 8)")->check(CLI::Range(1, 8));
   command->add_option("--csv", arguments->csv, "also write the table to this file");
   command->callback([&chosen, arguments] { chosen = [arguments] { return run_table(*arguments); }; });
 }
