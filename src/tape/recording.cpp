@@ -71,6 +71,10 @@ std::pair<Recorded, Recorded> Recording::coupled(int rule_a, int rule_b, int u, 
 Tape Recording::finish(const std::vector<Recorded>& outputs) {
   tape_.outputs.clear();
   for (const Recorded& output : outputs) tape_.outputs.push_back(node_of(output));
+  // Either no output has a series, or all do: a constant component beside others is zero at the orders above 0.
+  if (!tape_.is_static())
+    for (int& output : tape_.outputs)
+      if (tape_.nodes[output].is_static) output = operation(rule_id<Embed>, {output}, false).node();
   return pruned(tape_);
 }
 
@@ -110,6 +114,12 @@ Recorded operator*(const Recorded& u, const Recorded& v) {
   if (is_static(v)) return detail::record<Scale>(v, u);
   if (u.node() == v.node()) return detail::record<Square>(u);
   return detail::record<Multiply>(u, v);
+}
+
+Recorded pow(const Recorded& u, const Recorded& v) {
+  if (v.is_number()) return pow(u, v.value());
+  if (is_static(v)) return detail::record<Power>(v, u);
+  return exp(v * log(u));
 }
 
 Recorded operator/(const Recorded& u, const Recorded& v) {

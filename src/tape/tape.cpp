@@ -42,12 +42,6 @@ std::vector<bool> Tape::keeps_history() const {
   return keeps;
 }
 
-int Tape::series_operations() const {
-  int count = 0;
-  for (const Node& node : nodes) count += node.kind == Node::Kind::operation && !node.is_static;
-  return count;
-}
-
 bool Tape::is_static() const {
   for (int output : outputs)
     if (!nodes[output].is_static) return false;

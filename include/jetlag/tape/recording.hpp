@@ -143,6 +143,9 @@ Recorded operator-(const Recorded& u, const Recorded& v);
 Recorded operator*(const Recorded& u, const Recorded& v);
 Recorded operator/(const Recorded& u, const Recorded& v);
 Recorded operator-(const Recorded& u);
+
+/// u^v: a number or a parameter as exponent, or exp(v log(u)).   Range: u_0 > 0; any u_0 for a whole number.
+Recorded pow(const Recorded& u, const Recorded& v);
 inline Recorded operator+(const Recorded& u) { return u; }
 
 inline Recorded& Recorded::operator+=(const Recorded& v) { return *this = *this + v; }

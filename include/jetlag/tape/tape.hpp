@@ -39,9 +39,6 @@ struct Tape {
   /// For each node, whether any rule reads coefficients older than the newest.
   std::vector<bool> keeps_history() const;
 
-  /// Number of operations on series: the work of one order, not counting the length of sums.
-  int series_operations() const;
-
   /// Whether no output has a series, so that orders above 0 are zero.
   bool is_static() const;
 
