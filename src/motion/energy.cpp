@@ -5,7 +5,8 @@
 
 namespace jetlag {
 
-EnergyMeter::EnergyMeter(const System<double>& system) : mass_(system.mass()) {
+EnergyMeter::EnergyMeter(const System<double>& system)
+    : dimension_(system.dimension()), mass_(system.mass()) {
   for (const auto& elements : system.elements())
     if (elements.count() > 0 && elements.law.energy) {
       potentials_.emplace_back(system, elements, *elements.law.energy, kernels<double>());
@@ -14,7 +15,8 @@ EnergyMeter::EnergyMeter(const System<double>& system) : mass_(system.mass()) {
 }
 
 Energy EnergyMeter::operator()(const State<double>& state) {
-  const int n = static_cast<int>(state.position.rows()), d = static_cast<int>(state.position.cols());
+  const int n = static_cast<int>(mass_.size()), d = dimension_;
+  require_shape(state, n, d);
   const int stride = padded(d);
   position_.resize(static_cast<std::size_t>(n) * stride);
   velocity_.resize(static_cast<std::size_t>(n) * stride);

@@ -18,9 +18,11 @@ struct Energy {
 class EnergyMeter {
  public:
   explicit EnergyMeter(const System<double>& system);
+  /// Throws std::invalid_argument for a state of another shape.
   Energy operator()(const State<double>& state);
 
  private:
+  int dimension_;
   std::vector<double> mass_;
   std::vector<ElementBlocks<double>> potentials_;
   AlignedVector<double> position_, velocity_;  // padded rows

@@ -40,7 +40,13 @@ class Expansion {
   }
 
   /// Starts anew from a state: coefficients 0 and 1 of x are known. Shapes (particles, dimension).
+  /// Throws std::invalid_argument for a state of another shape and for a fixed particle that is not at rest.
   void start(const State<T>& state) {
+    require_shape(state, particles_, dimension_);
+    for (int i = 0; i < particles_; ++i)
+      if (inverse_mass_[i] == T(0) && !(state.velocity.row(i).array() == T(0)).all())
+        throw std::invalid_argument("Expansion: particle " + std::to_string(i) +
+                                    " is fixed and must be at rest");
     time_ = state.time;
     for (int i = 0; i < particles_; ++i)
       for (int c = 0; c < dimension_; ++c) {

@@ -57,8 +57,10 @@ class FirstOrderExpansion {
   /// The highest order that is known.
   int order() const { return static_cast<int>(y_.empty() ? 0 : y_[0].size()) - 1; }
 
+  /// One more order. Throws std::logic_error before start().
   void grow() {
     const int k = order();
+    if (k < 0) throw std::logic_error("FirstOrderExpansion: start() comes before grow()");
     blocks_.reserve(k + 1 > blocks_.capacity() ? 2 * (k + 1) : k + 1);
     for (const auto& [place, input] : blocks_.program().inputs)
       *blocks_.at(0, place, k) =

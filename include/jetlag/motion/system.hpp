@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,17 @@ struct State {
   Coordinates<T> position;  // [m]
   Coordinates<T> velocity;  // [m/s]
 };
+
+/// Throws std::invalid_argument unless positions and velocities have the shape (particles, dimension).
+template <class T>
+void require_shape(const State<T>& state, int particles, int dimension) {
+  const auto fits = [&](const Coordinates<T>& rows) {
+    return rows.rows() == particles && rows.cols() == dimension;
+  };
+  if (!fits(state.position) || !fits(state.velocity))
+    throw std::invalid_argument("State: positions and velocities must have the shape (" +
+                                std::to_string(particles) + ", " + std::to_string(dimension) + ")");
+}
 
 /// All elements of one law.
 template <class T = double>
@@ -86,9 +98,9 @@ System<T>::System(int dimension, std::vector<T> mass) : dimension_(dimension), m
   if (dimension < 1 || dimension > 3)
     throw std::invalid_argument("System: dimension must be 1, 2 or 3, got " + std::to_string(dimension));
   for (std::size_t i = 0; i < mass_.size(); ++i)
-    if (!(mass_[i] > T(0)) || !isfinite(mass_[i]))
+    if (!(mass_[i] > T(0)) || !isfinite(mass_[i]) || !isfinite(T(1) / mass_[i]))
       throw std::invalid_argument("System: the mass of particle " + std::to_string(i) +
-                                  " must be > 0 and finite");
+                                  " must be > 0 and finite, and so must its reciprocal");
   fixed_.assign(mass_.size(), false);
 }
 
