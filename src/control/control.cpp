@@ -17,6 +17,12 @@ double largest_position_variance(const Prospect& prospect, double h) {
   return sum.size() == 0 ? 0.0 : sum.maxCoeff();
 }
 
+double largest_position_bias(const Prospect& prospect, double h) {
+  const int n = prospect.law.max_degree();
+  return std::max(largest(prospect.series.position(n)) * std::pow(h, n),
+                  largest(prospect.series.position(n - 1)) * std::pow(h, n - 1));
+}
+
 void require_positive(const char* what, double x, bool may_be_infinite) {
   if (!(x > 0.0) || (std::isinf(x) && !may_be_infinite))
     throw std::invalid_argument(std::string(what) + " must be > 0, got " + std::to_string(x));

@@ -22,10 +22,8 @@ HalveDouble::HalveDouble(double step, double max_step, double min_variance, doub
 }
 
 double HalveDouble::propose(const Prospect& prospect) {
-  const int n = prospect.law.max_degree();
-  const double last = largest(prospect.series.position(n)), before = largest(prospect.series.position(n - 1));
   const auto squared_error = [&](double h) {
-    const double bias = std::max(last * std::pow(h, n), before * std::pow(h, n - 1));
+    const double bias = largest_position_bias(prospect, h);
     return largest_position_variance(prospect, h) + bias * bias;
   };
   double error = squared_error(step_);

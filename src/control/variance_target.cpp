@@ -16,8 +16,7 @@ VarianceTarget::VarianceTarget(double step, double max_step, double tolerance_ra
 double VarianceTarget::factor(const Prospect& prospect, double h) const {
   const int m = prospect.law.min_degree(), n = prospect.law.max_degree();
   const double spread = std::sqrt(largest_position_variance(prospect, h));
-  const double bias = std::max(largest(prospect.series.position(n)) * std::pow(h, n),
-                               largest(prospect.series.position(n - 1)) * std::pow(h, n - 1));
+  const double bias = largest_position_bias(prospect, h);
   const auto ratio = [](double tolerance, double error, int order) {
     return error == 0.0 ? std::numeric_limits<double>::infinity() : std::pow(tolerance / error, 1.0 / order);
   };

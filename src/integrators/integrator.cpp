@@ -29,12 +29,13 @@ int first_not_finite(const M& rows) {
 Report step_underflow(const Expansion<double>& series, double h) {
   int fastest = -1;
   if (series.particles() > 0) series.velocity(0).rowwise().squaredNorm().maxCoeff(&fastest);
-  return {Outcome::step_underflow,
-          "step " + number(h) + " at t = " + number(series.time()) +
-              " no longer changes the time; particle " + std::to_string(fastest) +
-              " is the fastest: particles collide or a tolerance is too small; soften the " +
-              "force or loosen the tolerance",
-          fastest};
+  return {
+      Outcome::step_underflow,
+      "step " + number(h) + " at t = " + number(series.time()) + " no longer changes the time; particle " +
+          std::to_string(fastest) +
+          " is the fastest: particles collide, a tolerance is too small or the time too large; soften the " +
+          "force, loosen the tolerance or count the time from a later origin",
+      fastest};
 }
 
 int moving_particles(const System<double>& system) {

@@ -35,7 +35,7 @@ bool Leapfrog::acceleration(const State<double>& state, Coordinates<double>& res
 
 double Leapfrog::step(State<double>& state, double limit, Report& report) {
   const double h = cropped(step_, limit);
-  if (!(h > 0.0) || state.time + h == state.time) {
+  if (!advances(state.time, h)) {
     series_.start(state);
     report = step_underflow(series_, h);
     return 0.0;

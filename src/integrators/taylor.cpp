@@ -53,7 +53,7 @@ double RandomTaylor::step(State<double>& state, double limit, Report& report) {
   draw();
   if (control_->reads_series()) series_.grow_to(order_needed(law_.max_degree()));
   const double h = cropped(control_->propose({series_, law_}), limit);
-  if (!(h > 0.0) || state.time + h == state.time) {
+  if (!advances(state.time, h)) {
     if (all_finite(series_, report)) report = step_underflow(series_, h);
     return 0.0;
   }

@@ -40,13 +40,17 @@ class Control {
   virtual std::unique_ptr<Control> clone() const = 0;
 };
 
-/// max_i |x_i,c - ...| over the coefficient: the largest component of coefficient k of the positions.
+/// The largest absolute component of a coefficient, over all particles.
 inline double largest(const CoefficientView<double>& coefficient) {
   return coefficient.size() == 0 ? 0.0 : coefficient.cwiseAbs().maxCoeff();
 }
 
 /// The largest variance of a component of a position at step h, over all particles: max_i Var g_i(h) [m^2].
 double largest_position_variance(const Prospect& prospect, double h);
+
+/// An estimate of what is left out at step h: max(|c_N| h^N, |c_{N-1}| h^{N-1}) over all positions [m]; two terms,
+/// because one may vanish by symmetry.
+double largest_position_bias(const Prospect& prospect, double h);
 
 /// Throws std::invalid_argument unless x > 0 (and finite, or infinite where that is allowed).
 void require_positive(const char* what, double x, bool may_be_infinite = false);

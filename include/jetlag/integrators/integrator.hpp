@@ -51,6 +51,9 @@ inline double cropped(double proposal, double limit) {
   return proposal >= limit * (1.0 - 1e-9) ? limit : proposal;
 }
 
+/// Whether a step changes the time: below half of its last place (6e-8 s at 1e9 s) no step is taken.
+inline bool advances(double time, double h) { return h > 0.0 && time + h != time; }
+
 /// The report for a step h that does not change the time: names the fastest particle.
 Report step_underflow(const Expansion<double>& series, double h);
 
