@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 #include <atomic>
+#include <charconv>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -28,20 +29,36 @@ using namespace jetlag;
 std::atomic<bool> stop_requested = false;
 extern "C" void request_stop(int) { stop_requested = true; }
 
+/// The first Ctrl-C lets a run end in good order, the second ends the program.
+void stop_in_good_order() {
+  struct sigaction action{};
+  action.sa_handler = request_stop;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
 constexpr int bad_input = 2, not_finished = 3;
 
 struct SceneArguments {
   std::string scene;
   std::vector<std::string> settings;
-  std::optional<std::uint64_t> seed;
+  std::string seed;
 
   void add_to(CLI::App& command) {
     command.add_option("scene", scene, "a built-in scene or a JSON file")->required();
     command.add_option("--set", settings, "replace a value: key.path=value, may be repeated")
         ->allow_extra_args(false);
-    command.add_option("--seed", seed, "seed of the random numbers")->check(CLI::NonNegativeNumber);
+    command.add_option("--seed", seed, "seed of the random numbers");
   }
-  Scene load() const { return load_scene(scene, settings, seed); }
+  Scene load() const {
+    if (seed.empty()) return load_scene(scene, settings);
+    std::uint64_t number = 0;
+    const auto [end, error] = std::from_chars(seed.data(), seed.data() + seed.size(), number);
+    if (error != std::errc() || end != seed.data() + seed.size())
+      throw SceneError("--seed: got " + seed + "; must be a whole number from 0 to 18446744073709551615");
+    return load_scene(scene, settings, number);
+  }
 };
 
 /// A line that says how far a run is and how long it will still take: renewed in place on a terminal, now and then a
@@ -58,7 +75,7 @@ class ProgressLine {
     shown_ = true;
     const double elapsed = std::chrono::duration<double>(now - start_).count();
     const double done = progress.time / progress.until;
-    std::fprintf(stderr, "%s%5.1f %%   t = %.4g s of %.4g s   %llu steps   %.0f s left   %s",
+    std::fprintf(stderr, "%s%5.1f %%   t = %.4g s of %.4g s   %llu steps   %.3g s left   %s",
                  terminal_ ? "\r" : "", 100 * done, progress.time, progress.until,
                  static_cast<unsigned long long>(progress.steps), elapsed / done - elapsed,
                  terminal_ ? "" : "\n");
@@ -91,6 +108,7 @@ int run(const SceneArguments& arguments, std::filesystem::path folder, bool quie
   const Scene scene = arguments.load();
   kernels<double>();  // a wrong JETLAG_INSTRUCTION_SET is bad input: said before anything is written
   if (folder.empty()) folder = std::filesystem::path("out") / std::filesystem::path(arguments.scene).stem();
+  stop_in_good_order();
   RunHooks hooks;
   std::vector<std::string> warnings;
   RunResult result;
@@ -180,15 +198,16 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : bad_input;
   }
-  std::signal(SIGINT, request_stop);
-  std::signal(SIGTERM, request_stop);
   try {
-    if (*run_command) return run(scene, folder, quiet);
+    int code = 0;
+    if (*run_command) code = run(scene, folder, quiet);
     if (*scenes_command) list_scenes();
     if (*show_command) std::printf("%s\n", scene.load().json.c_str());
     if (*check_command) check(scene);
-    if (study) return (*study)();
-    return 0;
+    if (study) code = (*study)();
+    if (std::fflush(stdout) != 0 || std::ferror(stdout))
+      throw std::runtime_error("cannot write to standard output");
+    return code;
   } catch (const SceneError& error) {
     std::fprintf(stderr, "jetlag: %s\n", error.what());
     return bad_input;

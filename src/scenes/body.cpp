@@ -8,7 +8,7 @@ namespace jetlag {
 ///     --set particles='{"mesh": "bunny.mesh", "fix_below": 3.0}'
 BuiltInScene body() {
   return {"body", "a soft tetrahedral body that falls, swings and settles (729 vertices, 4184 springs)", R"({
-  "name": "a soft body falls, swings and settles",
+  "name": "a soft body is pushed, swings and settles",
   "dimension": 3,
   "particles": {
     "ellipsoid": {"radii": [0.8, 1.2, 0.8], "cells": [8, 8], "cut": [0.9, 0.95]},

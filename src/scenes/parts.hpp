@@ -34,6 +34,7 @@ struct Method {
   std::uint64_t max_steps;
   std::optional<double> fixed_step;
   double mean_orders;
+  int largest_degree;
 };
 Method read_method(const Value& scene, std::shared_ptr<const System<double>> system, std::uint64_t seed);
 
@@ -43,7 +44,7 @@ auto checked(const Value& value, F f) {
   try {
     return f();
   } catch (const std::invalid_argument& error) {
-    value.refuse(error.what());
+    value.refuse(std::string("such that it works: ") + error.what());
   }
 }
 

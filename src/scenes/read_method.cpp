@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <limits>
 
 #include "jetlag/control/courant.hpp"
@@ -23,23 +24,26 @@ double read_max_step(const Value& control) {
   return value ? value->number(positive) : infinite;
 }
 
-/// The control of a series stopped by `law`, without the Courant limit.
-std::unique_ptr<Control> read_series_control(const Value& control, const TruncationLaw& law) {
-  const std::string type = control.at("type").one_of({"fixed", "jorba_zou", "variance", "halve_double"});
-  if (type == "fixed") {
-    control.only({"type", "step", "courant"});
-    return std::make_unique<FixedStep>(control.at("step").number(positive));
-  }
-  if (type == "jorba_zou") {
-    control.only({"type", "max_step", "courant", "tolerance"});
-    return std::make_unique<JorbaZou>(read_max_step(control));
-  }
-  if (type == "variance") {
-    control.only({"type", "step", "max_step", "tolerance_random", "tolerance_bias", "courant"});
-    return std::make_unique<VarianceTarget>(control.at("step").number(positive), read_max_step(control),
-                                            control.at("tolerance_random").number(positive),
-                                            control.at("tolerance_bias").number(positive));
-  }
+// ---- controls --------------------------------------------------------------------------------------------
+
+std::unique_ptr<Control> read_fixed(const Value& control, const TruncationLaw&) {
+  control.only({"type", "step", "courant"});
+  return std::make_unique<FixedStep>(control.at("step").number(positive));
+}
+
+std::unique_ptr<Control> read_jorba_zou(const Value& control, const TruncationLaw&) {
+  control.only({"type", "max_step", "tolerance", "courant"});
+  return std::make_unique<JorbaZou>(read_max_step(control));
+}
+
+std::unique_ptr<Control> read_variance(const Value& control, const TruncationLaw&) {
+  control.only({"type", "step", "max_step", "tolerance_random", "tolerance_bias", "courant"});
+  return std::make_unique<VarianceTarget>(control.at("step").number(positive), read_max_step(control),
+                                          control.at("tolerance_random").number(positive),
+                                          control.at("tolerance_bias").number(positive));
+}
+
+std::unique_ptr<Control> read_halve_double(const Value& control, const TruncationLaw& law) {
   control.only({"type", "step", "max_step", "min_variance", "max_variance", "courant"});
   const double step = control.at("step").number(positive), max_step = read_max_step(control),
                least = control.at("min_variance").number(positive),
@@ -48,25 +52,53 @@ std::unique_ptr<Control> read_series_control(const Value& control, const Truncat
       control, [&] { return std::make_unique<HalveDouble>(step, max_step, least, most, law.min_degree()); });
 }
 
+struct ControlReader {
+  const char* type;
+  std::unique_ptr<Control> (*read)(const Value& control, const TruncationLaw& law);
+};
+constexpr ControlReader controls[] = {{"fixed", read_fixed},
+                                      {"jorba_zou", read_jorba_zou},
+                                      {"variance", read_variance},
+                                      {"halve_double", read_halve_double}};
+
+/// The member of a register that "type" names.
+template <class Readers>
+const auto& chosen(const Value& value, const Readers& readers) {
+  std::vector<std::string> types;
+  for (const auto& reader : readers) types.push_back(reader.type);
+  const std::string type = value.at("type").one_of(types);
+  return *std::ranges::find(readers, type, [](const auto& reader) { return std::string(reader.type); });
+}
+
+/// The fraction of the Courant limit, if asked for, and the fastest frequency it refers to.
+std::optional<std::pair<double, double>> read_courant(const Value& control, const System<double>& system) {
+  const auto courant = control.find("courant");
+  if (!courant) return std::nullopt;
+  const double safety = courant->number(fraction), omega = frequency_bound(system);
+  if (omega == 0) courant->refuse("left out: no force of this scene has a stiffness that limits the step");
+  return std::pair(safety, omega);
+}
+
 std::unique_ptr<Control> read_control(const Value& control, const TruncationLaw& law,
                                       const System<double>& system) {
-  auto inner = read_series_control(control, law);
-  const auto courant = control.find("courant");
+  auto inner = chosen(control, controls).read(control, law);
+  const auto courant = read_courant(control, system);
   if (!courant) return inner;
-  const double safety = courant->number(fraction);
-  return checked(*courant, [&] {
-    return std::make_unique<Courant>(std::move(inner), safety, imaginary_stability_limit(law),
-                                     frequency_bound(system));
+  return checked(control.at("courant"), [&] {
+    return std::make_unique<Courant>(std::move(inner), courant->first, imaginary_stability_limit(law),
+                                     courant->second);
   });
 }
+
+// ---- integrators -----------------------------------------------------------------------------------------
 
 /// "degree", or what a tolerance of jorba_zou asks for.
 int read_degree(const Value& integrator, const Value& control) {
   const auto tolerance = control.find("tolerance");
-  if (!tolerance || integrator.has("degree"))
-    return static_cast<int>(integrator.at("degree").integer(1, largest_degree));
-  const int degree = jorba_zou_degree(tolerance->number({0, 1, false, false, "a number between 0 and 1"}));
-  return static_cast<int>(integrator.at("degree", degree).integer(1, largest_degree));
+  if (!tolerance) return static_cast<int>(integrator.at("degree").integer(1, largest_degree));
+  if (integrator.has("degree"))
+    tolerance->refuse("left out where integrator.degree is given: one follows from the other");
+  return jorba_zou_degree(tolerance->number({0, 1, false, false, "a number between 0 and 1"}));
 }
 
 VelocitySeries read_velocity_series(const Value& integrator) {
@@ -78,46 +110,65 @@ VelocitySeries read_velocity_series(const Value& integrator) {
 struct IntegratorFactory {
   std::function<std::unique_ptr<Integrator>()> make;
   double mean_orders;
+  int largest_degree;
 };
 
-IntegratorFactory series_method(TruncationLaw law, const Value& control,
-                                std::shared_ptr<const System<double>> system, RandomTaylor::Options options) {
+struct MethodArguments {
+  const Value& integrator;
+  const Value& control;
+  std::shared_ptr<const System<double>> system;
+  std::uint64_t seed;
+};
+
+IntegratorFactory series_method(const MethodArguments& arguments, TruncationLaw law, bool shared_draw) {
+  const RandomTaylor::Options options{arguments.seed, shared_draw,
+                                      read_velocity_series(arguments.integrator)};
   const double orders = law.mean() + (options.velocity == VelocitySeries::own_series ? 1 : 0) - 1;
-  std::shared_ptr<Control> model = read_control(control, law, *system);
-  return {[=] { return std::make_unique<RandomTaylor>(*system, law, model->clone(), options); }, orders};
+  std::shared_ptr<const Control> model = read_control(arguments.control, law, *arguments.system);
+  return {[system = arguments.system, law, model, options] {
+            return std::make_unique<RandomTaylor>(*system, law, model->clone(), options);
+          },
+          orders, law.max_degree()};
 }
 
-IntegratorFactory read_integrator(const Value& integrator, const Value& control,
-                                  std::shared_ptr<const System<double>> system, std::uint64_t seed) {
-  const std::string type = integrator.at("type").one_of({"taylor", "random_taylor", "leapfrog"});
-  if (type == "taylor") {
-    integrator.only({"type", "degree", "velocity"});
-    return series_method(fixed_degree(read_degree(integrator, control)), control, system,
-                         {seed, true, read_velocity_series(integrator)});
-  }
-  if (type == "random_taylor") {
-    integrator.only({"type", "min_degree", "max_degree", "probability", "draws", "shared_draw", "velocity"});
-    const auto m = static_cast<int>(integrator.at("min_degree").integer(1, largest_degree)),
-               n = static_cast<int>(integrator.at("max_degree").integer(m, largest_degree));
-    const Value p = integrator.at("probability", 0.5);
-    const double probability =
-        p.number({0, 1, true, true, "a number from 0 to 1, below 1 unless max_degree = min_degree"});
-    integrator.at("draws", "independent").one_of({"independent"});
-    return series_method(
-        checked(p, [&] { return geometric(m, n, probability); }), control, system,
-        {seed, integrator.at("shared_draw", true).boolean(), read_velocity_series(integrator)});
-  }
-  integrator.only({"type"});
-  if (control.at("type").text() != "fixed")
+IntegratorFactory read_taylor(const MethodArguments& arguments) {
+  arguments.integrator.only({"type", "degree", "velocity"});
+  return series_method(arguments, fixed_degree(read_degree(arguments.integrator, arguments.control)), true);
+}
+
+IntegratorFactory read_random_taylor(const MethodArguments& arguments) {
+  const Value& integrator = arguments.integrator;
+  integrator.only({"type", "min_degree", "max_degree", "probability", "draws", "shared_draw", "velocity"});
+  if (const auto tolerance = arguments.control.find("tolerance"))
+    tolerance->refuse("left out for random_taylor, whose degrees are given");
+  const auto m = static_cast<int>(integrator.at("min_degree").integer(1, largest_degree)),
+             n = static_cast<int>(integrator.at("max_degree").integer(m, largest_degree));
+  const Value p = integrator.at("probability", 0.5);
+  const double probability =
+      p.number({0, 1, true, true, "a number from 0 to 1, below 1 unless max_degree = min_degree"});
+  integrator.at("draws", "independent").one_of({"independent"});
+  return series_method(arguments, checked(p, [&] { return geometric(m, n, probability); }),
+                       integrator.at("shared_draw", true).boolean());
+}
+
+IntegratorFactory read_leapfrog(const MethodArguments& arguments) {
+  const Value& control = arguments.control;
+  arguments.integrator.only({"type"});
+  if (chosen(control, controls).read != read_fixed)
     control.at("type").refuse("fixed, which is what leapfrog works with");
   control.only({"type", "step", "courant"});
   double step = control.at("step").number(positive);
-  if (const auto courant = control.find("courant")) {
-    const double omega = frequency_bound(*system);
-    if (omega > 0) step = std::min(step, courant->number(fraction) * 2.0 / omega);
-  }
-  return {[=] { return std::make_unique<Leapfrog>(*system, step); }, 1.0};
+  if (const auto courant = read_courant(control, *arguments.system))
+    step = std::min(step, courant->first * 2.0 / courant->second);
+  return {[system = arguments.system, step] { return std::make_unique<Leapfrog>(*system, step); }, 1.0, 2};
 }
+
+struct IntegratorReader {
+  const char* type;
+  IntegratorFactory (*read)(const MethodArguments&);
+};
+constexpr IntegratorReader integrators[] = {
+    {"taylor", read_taylor}, {"random_taylor", read_random_taylor}, {"leapfrog", read_leapfrog}};
 
 }  // namespace
 
@@ -130,12 +181,12 @@ Method read_method(const Value& scene, std::shared_ptr<const System<double>> sys
   const Value integrator = scene.at("integrator"), control = scene.at("control");
   if (!integrator.is_object()) integrator.refuse("an object with a type");
   if (!control.is_object()) control.refuse("an object with a type");
-  const auto [make, mean_orders] = read_integrator(integrator, control, std::move(system), seed);
+  const auto method = chosen(integrator, integrators).read({integrator, control, std::move(system), seed});
   std::optional<double> fixed_step;
   if (control.at("type").text() == "fixed" && !control.has("courant"))
     fixed_step = control.at("step").number(positive);
-  return {[make = make] { return std::make_unique<Lockstep>(make()); }, static_cast<std::uint64_t>(max_steps),
-          fixed_step, mean_orders};
+  return {[make = method.make] { return std::make_unique<Lockstep>(make()); },
+          static_cast<std::uint64_t>(max_steps), fixed_step, method.mean_orders, method.largest_degree};
 }
 
 }  // namespace jetlag

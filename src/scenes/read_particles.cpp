@@ -124,6 +124,15 @@ void fix_ends(const Value& value, Particles& particles) {
   }
 }
 
+/// Numbers within the range of double may be made into others that are not.
+void require_finite(const Value& particles, const char* key, const Coordinates<double>& rows) {
+  if (rows.allFinite() && rows.cwiseAbs().maxCoeff() < 1e150) return;
+  for (const char* maker : {key, "mesh", "ellipsoid", "ellipse"})
+    if (particles.has(maker))
+      throw SceneError(particles.path() + "." + maker +
+                       ": makes numbers beyond 1e150, whose squares overflow; must be " + "smaller");
+}
+
 }  // namespace
 
 Particles read_particles(const Value& value, int dimension, std::uint64_t seed,
@@ -158,7 +167,9 @@ Particles read_particles(const Value& value, int dimension, std::uint64_t seed,
   const auto count = static_cast<std::size_t>(particles.state.position.rows());
   if (count == 0) value.at("position").refuse("at least one particle");
 
-  particles.mass = value.at("mass", 1.0).numbers(count, positive, "particle");
+  particles.mass =
+      value.at("mass", 1.0)
+          .numbers(count, {1e-300, 1e300, true, true, "a number > 0, from 1e-300 to 1e300"}, "particle");
   particles.fixed.assign(count, false);
   const Value fixed = value.at("fixed", Json::array());
   for (std::size_t i = 0; i < fixed.size(); ++i)
@@ -166,6 +177,8 @@ Particles read_particles(const Value& value, int dimension, std::uint64_t seed,
   fix_ends(value, particles);
   particles.state.velocity = Coordinates<double>::Zero(particles.state.position.rows(), dimension);
   read_velocity(value.at("velocity", Json(std::vector<double>(dimension, 0.0))), seed, particles);
+  require_finite(value, value.has("position") ? "position" : "grid", particles.state.position);
+  require_finite(value, "velocity", particles.state.velocity);
   return particles;
 }
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <unistd.h>
+
 #include <algorithm>
 #include <fstream>
 #include <iterator>
 
+#include "jetlag/motion/element_blocks.hpp"
 #include "jetlag/scenes/error.hpp"
 #include "scenes/parts.hpp"
 
@@ -29,6 +32,24 @@ Shape shape_of(const Particles& particles, std::vector<std::array<int, 2>> lines
   return shape;
 }
 
+/// Refuses a scene whose series would not fit into the memory of this machine.
+void require_memory(const System<double>& system, int degree, const Value& particles) {
+  double numbers = 0;
+  for (const auto& elements : system.elements()) {
+    const Program program(elements.law.force);
+    numbers += static_cast<double>(elements.count()) * (program.histories * (degree + 1) + program.statics);
+  }
+  numbers += 2.0 * system.particles() * padded(system.dimension()) * (degree + 2);
+  const double bytes = 8 * numbers;
+  const double memory =
+      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  if (bytes > 0.8 * memory)
+    throw SceneError(particles.path() + ": the series of this scene would take " +
+                     std::to_string(bytes / 1e9) + " GB; must be below 80 % of the memory of this machine, " +
+                     std::to_string(memory / 1e9) +
+                     " GB; take fewer particles, fewer forces or a smaller degree");
+}
+
 Scene read(Json json, const std::filesystem::path& folder) {
   const Value value(json, "");
   value.only({"name", "dimension", "particles", "forces", "integrator", "control", "schedule", "until",
@@ -47,6 +68,7 @@ Scene read(Json json, const std::filesystem::path& folder) {
   auto lines = read_forces(value.at("forces", Json::array()), particles, *system);
   Method method = read_method(value, system, scene.seed);
 
+  require_memory(*system, static_cast<int>(method.largest_degree), value.at("particles"));
   scene.shape = shape_of(particles, std::move(lines));
   scene.initial = std::move(particles.state);
   scene.system = std::move(system);
@@ -78,8 +100,12 @@ void apply_setting(Json& json, const std::string& setting) {
   if (equals == std::string::npos || equals == 0)
     throw SceneError("--set " + setting + ": must be key.path=value, such as control.step=0.01");
   const std::string path = setting.substr(0, equals), text = setting.substr(equals + 1);
+  const auto steps = steps_of(path);
+  if (steps.empty() || steps.size() > 16)
+    throw SceneError("--set " + setting.substr(0, 60) + ": must be a path of 1 to 16 steps");
   Json* at = &json;
-  for (const std::string& step : steps_of(path)) {
+  std::string so_far;
+  for (const std::string& step : steps) {
     if (at->is_array()) {
       const bool digits =
           !step.empty() && step.size() < 10 && step.find_first_not_of("0123456789") == std::string::npos;
@@ -91,8 +117,10 @@ void apply_setting(Json& json, const std::string& setting) {
     } else if (at->is_object() || at->is_null()) {
       at = &(*at)[step];
     } else {
-      throw SceneError("--set " + path + ": " + step + " lies within a value that is not an object or array");
+      throw SceneError("--set " + path + ": " + so_far + " is " + at->dump() +
+                       ", which has no parts; replace it as a whole");
     }
+    so_far += (so_far.empty() ? "" : ".") + step;
   }
   *at = Json::accept(text) ? parse_json(text, "--set " + path) : Json(text);
 }
@@ -125,6 +153,11 @@ Scene load_scene(const std::string& name_or_file, const std::vector<std::string>
   if (!json.is_object()) throw SceneError("(the whole scene): must be a JSON object");
   for (const std::string& setting : settings) apply_setting(json, setting);
   if (seed) json["seed"] = *seed;
+  try {
+    json.dump();
+  } catch (const Json::exception&) {
+    throw SceneError("--set: keys and texts must be valid UTF-8");
+  }
   return read(std::move(json), folder);
 }
 

@@ -112,6 +112,8 @@ const Value& Value::only(std::initializer_list<std::string_view> keys) const {
     if (std::find(keys.begin(), keys.end(), key) == keys.end())
       throw SceneError((path_.empty() ? key : path_ + "." + key) + ": unknown key (its value is " +
                        shortened(value.dump()) + "); allowed here: " + listed(keys));
+  // Room for all keys: values of this object stay where they are when a missing one is put in.
+  json_->get_ref<Json::object_t&>().reserve(keys.size());
   return *this;
 }
 

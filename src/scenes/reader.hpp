@@ -49,7 +49,7 @@ class Value {
   bool is_object() const { return json_->is_object(); }
   bool is_number() const { return json_->is_number(); }
 
-  /// An object with no other keys than these.
+  /// An object with no other keys than these. To be called before its values are taken.
   const Value& only(std::initializer_list<std::string_view> keys) const;
   bool has(const std::string& key) const;
   Value at(const std::string& key) const;  // refuses when missing

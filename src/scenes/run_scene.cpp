@@ -43,6 +43,11 @@ class Recorder {
     }
   }
 
+  /// The state where a run has ended early, unless it is a frame already.
+  void last_good(const State<double>& state) {
+    if (state.time > last_time_) record(state);
+  }
+
  private:
   double time_of(int frame) const {
     return frame == scene_.output.frames ? scene_.until : scene_.until * frame / scene_.output.frames;
@@ -50,6 +55,7 @@ class Recorder {
 
   void record(const State<double>& state) {
     ++next_;
+    last_time_ = state.time;
     if (meter_) {
       const Energy energy = (*meter_)(state);
       if (result_.energies.empty()) result_.summary.initial_energy = energy;
@@ -68,7 +74,7 @@ class Recorder {
   const RunHooks& hooks_;
   RunResult& result_;
   std::optional<EnergyMeter> meter_;
-  double largest_kinetic_ = 0;
+  double largest_kinetic_ = 0, last_time_ = 0;
   int next_ = 0;
 };
 
@@ -98,22 +104,35 @@ class FilmFrames {
   Frame last_;
 };
 
+std::string frame_name(std::size_t number) {
+  const std::string digits = std::to_string(number);
+  return "frame_" + std::string(6 - std::min<std::size_t>(6, digits.size()), '0') + digits + ".vtu";
+}
+
+/// Whether a name is one that frame_name gives: nothing else is ever removed.
+bool is_frame(const std::string& name) {
+  const std::string digits = name.size() > 10 ? name.substr(6, name.size() - 10) : "";
+  return !digits.empty() && digits.size() <= 9 &&
+         digits.find_first_not_of("0123456789") == std::string::npos &&
+         name == frame_name(std::stoul(digits));
+}
+
 void remove_earlier_run(const std::filesystem::path& folder) {
   for (const char* name : {"summary.json", "energy.csv", "energy.svg", "film.png", "film.svg"})
     std::filesystem::remove(folder / name);
   if (std::filesystem::is_directory(folder / "frames"))
     for (const auto& entry : std::filesystem::directory_iterator(folder / "frames"))
-      if (entry.path().extension() == ".vtu" || entry.path().extension() == ".pvd")
-        std::filesystem::remove(entry.path());
+      if (is_frame(entry.path().filename().string())) std::filesystem::remove(entry.path());
 }
 
 }  // namespace
 
-RunResult run_scene(const Scene& scene, const RunHooks& hooks) {
+namespace {
+
+RunResult run_schedule(const Scene& scene, Schedule& schedule, const RunHooks& hooks) {
   RunResult result;
   Summary& summary = result.summary;
   State<double> state = scene.initial;
-  const auto schedule = scene.schedule();
   Recorder recorder(scene, hooks, result);
 
   double recording = 0;  // seconds spent on frames and hooks, which are not part of the integration
@@ -124,12 +143,13 @@ RunResult run_scene(const Scene& scene, const RunHooks& hooks) {
     const auto begin = Clock::now();
     recorder.after_step(view);
     const bool go_on =
-        !hooks.after_step || hooks.after_step({view.state.time, scene.until, schedule->work().steps});
+        !hooks.after_step || hooks.after_step({view.state.time, scene.until, schedule.work().steps});
     recording += seconds_since(begin);
     return go_on;
   };
-  const Report report = schedule->run(state, scene.until, options);
+  const Report report = schedule.run(state, scene.until, options);
   summary.wall_seconds = seconds_since(start) - recording;
+  if (report.outcome != Outcome::success) recorder.last_good(state);
 
   summary.outcome = report.outcome;
   summary.message = report.message;
@@ -138,7 +158,7 @@ RunResult run_scene(const Scene& scene, const RunHooks& hooks) {
   if (scene.output.energy) summary.final_energy = EnergyMeter(*scene.system)(state);
   summary.initial_momentum = momentum(*scene.system, scene.initial);
   summary.final_momentum = momentum(*scene.system, state);
-  summary.work = schedule->work();
+  summary.work = schedule.work();
   summary.position = std::move(state.position);
   summary.velocity = std::move(state.velocity);
   summary.version = version;
@@ -147,8 +167,15 @@ RunResult run_scene(const Scene& scene, const RunHooks& hooks) {
   return result;
 }
 
+}  // namespace
+
+RunResult run_scene(const Scene& scene, const RunHooks& hooks) {
+  return run_schedule(scene, *scene.schedule(), hooks);
+}
+
 RunResult run_scene_into(const Scene& scene, const std::filesystem::path& folder, const RunHooks& hooks,
                          std::vector<std::string>& warnings) {
+  const auto schedule = scene.schedule();  // its memory is taken before anything is written
   std::filesystem::create_directories(folder / "frames");
   remove_earlier_run(folder);
   write_file(folder / "scene.json", scene.json + "\n");
@@ -158,15 +185,13 @@ RunResult run_scene_into(const Scene& scene, const std::filesystem::path& folder
   std::vector<std::string> names;
   RunHooks all = hooks;
   all.frame = [&](const Frame& frame) {
-    const std::string digits = std::to_string(names.size());
-    names.push_back("frame_" + std::string(6 - std::min<std::size_t>(6, digits.size()), '0') + digits +
-                    ".vtu");
+    names.push_back(frame_name(names.size()));
     times.push_back(frame.time);
     write_vtu(folder / "frames" / names.back(), scene.shape, frame);
     film.add(frame);
     if (hooks.frame) hooks.frame(frame);
   };
-  RunResult result = run_scene(scene, all);
+  RunResult result = run_schedule(scene, *schedule, all);
   write_pvd(folder / "frames" / "run.pvd", times, names);
   if (scene.output.energy) write_energy_csv(folder / "energy.csv", result.energies);
   write_file(folder / "summary.json", to_json(result.summary));

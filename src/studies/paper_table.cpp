@@ -69,6 +69,10 @@ Json scene_of(const Row& row, const Arguments& arguments) {
 }
 
 int run_table(const Arguments& arguments) {
+  std::vector<Scene> scenes;  // all are checked before the first is run
+  for (const Row& row : rows)
+    scenes.push_back(read_scene(scene_of(row, arguments).dump(), "paper table", "."));
+  if (!arguments.csv.empty()) write_file(arguments.csv, "");
   std::printf("%s, step %g s, until t = %g s, k = 5000 N/m, max degree 6, p = 0.5\n",
               arguments.mesh.empty() ? "generated body" : arguments.mesh.c_str(), arguments.step,
               arguments.until);
@@ -84,8 +88,7 @@ int run_table(const Arguments& arguments) {
   for (const Row& row : rows) {
     ++number_of_row;
     if (!arguments.only.empty() && std::ranges::count(arguments.only, number_of_row) == 0) continue;
-    const Scene scene = read_scene(scene_of(row, arguments).dump(), "paper table", ".");
-    const RunResult result = run_scene(scene);
+    const RunResult result = run_scene(scenes[number_of_row - 1]);
     const Summary& summary = result.summary;
     const double initial = summary.initial_energy.total();
     double largest = 0;
@@ -120,8 +123,12 @@ void add_paper_table(CLI::App& study, std::optional<Study>& chosen) {
       study.add_subcommand("paper_table", "the paper's table of eight runs of a soft body, in numbers");
   auto arguments = std::make_shared<Arguments>();
   command->add_option("--mesh", arguments->mesh, "a Medit mesh in place of the generated body");
-  command->add_option("--step", arguments->step, "first step [s]")->capture_default_str();
-  command->add_option("--until", arguments->until, "end of the runs [s]")->capture_default_str();
+  command->add_option("--step", arguments->step, "first step [s]")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_option("--until", arguments->until, "end of the runs [s]")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   command->add_option("--seed", arguments->seed, "seed")->capture_default_str();
   command->add_option("--rows", arguments->only, "run only these rows (1 to 8)")->check(CLI::Range(1, 8));
   command->add_option("--csv", arguments->csv, "also write the table to this file");

@@ -136,6 +136,32 @@ const BadScene bad_scenes[] = {
      "control", "4^(min_degree+1)"},
     {"LeapfrogWithJorbaZou", "/integrator", R"({"type": "leapfrog", "degree": 2})", "integrator.degree",
      "unknown key"},
+    {"ToleranceOfText", "/control", R"({"type": "jorba_zou", "tolerance": "x"})", "control.tolerance",
+     "left out"},
+    {"ToleranceBesideDegree", "",
+     R"({"until": 1, "dimension": 1, "particles": {"position": [[0]]}, "integrator": {"type": "taylor", "degree": 9},
+         "control": {"type": "jorba_zou", "tolerance": 1e-9}})",
+     "control.tolerance", "1e-09"},
+    {"ToleranceOfTwo", "",
+     R"({"until": 1, "dimension": 1, "particles": {"position": [[0]]}, "integrator": {"type": "taylor"},
+         "control": {"type": "jorba_zou", "tolerance": 2}})",
+     "control.tolerance", "between 0 and 1"},
+    {"CourantWithoutStiffness", "",
+     R"({"until": 1, "dimension": 1, "particles": {"position": [[0]]}, "integrator": {"type": "leapfrog"},
+         "control": {"type": "fixed", "step": 1, "courant": 0.5}})",
+     "control.courant", "stiffness"},
+    {"GridBeyondDouble", "", R"({"until": 1, "particles": {"grid": [3], "spacing": 1e308},
+         "integrator": {"type": "leapfrog"}, "control": {"type": "fixed", "step": 1}})",
+     "particles.grid", "overflow"},
+    {"VelocityBeyondDouble", "",
+     R"({"until": 1, "particles": {"grid": [3], "spacing": 1, "velocity": {"normal": 1e308}},
+         "integrator": {"type": "leapfrog"}, "control": {"type": "fixed", "step": 1}})",
+     "particles.velocity", "overflow"},
+    {"MoreThanTheMemory", "",
+     R"({"until": 1, "particles": {"grid": [5000], "spacing": 1}, "forces": [{"type": "gravity"}],
+         "integrator": {"type": "taylor", "degree": 256}, "control": {"type": "fixed", "step": 1}})",
+     "particles", "memory"},
+    {"SubnormalMass", "/particles/mass", "1e-310", "particles.mass", "from 1e-300"},
     {"UnknownSchedule", "/schedule/type", "\"chaos\"", "schedule.type", "lockstep"},
     {"NegativeSeed", "/seed", "-1", "seed", "a whole number"},
     {"SeedNotWhole", "/seed", "1.5", "seed", "a whole number"},
@@ -183,15 +209,46 @@ TEST(BadMesh, NamesFileAndLine) {
 
 TEST(BadCommandLine, ExitsWithTwo) {
   const TemporaryFolder folder;
-  for (const char* arguments :
-       {"", "fly", "run", "run nosuchscene", "run body --set", "run body --set control.step",
-        "run body --seed x", "run body --set forces[9].stiffness=1", "run body --set until.x=1",
-        "study nothing", "run body --seed -1"}) {
+  for (const char* arguments : {"",
+                                "fly",
+                                "run",
+                                "run nosuchscene",
+                                "run body --set",
+                                "run body --set control.step",
+                                "run body --seed x",
+                                "run body --set forces[9].stiffness=1",
+                                "run body --set until.x=1",
+                                "study nothing",
+                                "run body --seed -1",
+                                "run body --seed 18446744073709551616",
+                                "run body --seed 1.5",
+                                "run body --set =1",
+                                "run body --set a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a=1",
+                                "run body --set name=$'\\xff'",
+                                "run body --set particles.mass[0]=2",
+                                "study paper_table --step -1",
+                                "study paper_table --until nan",
+                                "study paper_table --rows 9",
+                                "study paper_table --mesh nowhere.mesh"}) {
     const Ended run = program(arguments, folder.path());
     EXPECT_EQ(run.exit_code, 2) << arguments << ": " << run.output;
     EXPECT_FALSE(run.output.empty());
   }
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(BadScene, LeavesAnEarlierRunAlone) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(program("run chain --out out --set until=0.1 --quiet", folder.path()).exit_code, 0);
+  const std::string before = content(folder / "out/summary.json");
+  EXPECT_EQ(program("run chain --out out --set control.step=0", folder.path()).exit_code, 2);
+  EXPECT_EQ(content(folder / "out/summary.json"), before);
+}
+
+TEST(Output, ThatCannotBeWrittenIsAnError) {
+  if (!std::filesystem::is_character_file("/dev/full")) GTEST_SKIP() << "needs /dev/full";
+  const TemporaryFolder folder;
+  EXPECT_EQ(program("show body > /dev/full", folder.path()).exit_code, 1);
 }
 
 TEST(BadInstructionSet, IsNamed) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <sstream>
 
 #include "jetlag/scenes/error.hpp"
 #include "jetlag/scenes/run_scene.hpp"
@@ -63,6 +64,16 @@ TEST(Scenes, FewerFramesThanBeforeLeaveNoOldOnes) {
               0);
   EXPECT_TRUE(std::filesystem::exists(folder / "out/frames/frame_000003.vtu"));
   EXPECT_FALSE(std::filesystem::exists(folder / "out/frames/frame_000004.vtu"));
+}
+
+TEST(Scenes, RemoveOnlyWhatTheyLeave) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "out/frames");
+  for (const char* name : {"out/frames/mine.vtu", "out/frames/frame_1.vtu", "out/notes.txt"})
+    write(folder / name, "mine");
+  ASSERT_EQ(program("run chain --out out --set until=0.1 --quiet", folder.path()).exit_code, 0);
+  for (const char* name : {"out/frames/mine.vtu", "out/frames/frame_1.vtu", "out/notes.txt"})
+    EXPECT_EQ(content(folder / name), "mine");
 }
 
 TEST(Scenes, TwoBodyEndsWhereItBegan) {  // after 100 periods; reference: Kepler's orbit is closed
@@ -189,6 +200,23 @@ TEST(FailedRuns, SayWhyAndLeaveTheLastGoodState) {
   EXPECT_NE(summary["message"].get<std::string>().find("particle"), std::string::npos);
   EXPECT_EQ(text.find("null"), std::string::npos) << "not finite numbers in the summary";
   EXPECT_TRUE(std::isfinite(summary["position"][1][0].get<double>()));
+}
+
+TEST(FailedRuns, HaveAFrameAndAnEnergyOfTheLastGoodState) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(program("run chain --out out --set schedule.max_steps=5 --set output.frames=2", folder.path())
+                .exit_code,
+            3);
+  std::istringstream lines(content(folder / "out/energy.csv"));
+  std::string line, last;
+  int rows = -1;
+  while (std::getline(lines, line)) {
+    ++rows;
+    last = line;
+  }
+  EXPECT_EQ(rows, 2);  // at the beginning, and after five steps of 0.005 s
+  EXPECT_NEAR(std::stod(last), 0.025, 1e-17);
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/frames/frame_000001.vtu"));
 }
 
 TEST(FailedRuns, StepLimitIsAnOutcome) {

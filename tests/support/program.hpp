@@ -45,15 +45,22 @@ inline void write(const std::filesystem::path& file, const std::string& text) {
   std::ofstream(file, std::ios::binary) << text;
 }
 
+/// A text as one word of the shell.
+inline std::string quoted(const std::string& text) {
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
 struct Ended {
   int exit_code;
   std::string output;  // both streams
 };
 
-/// The program with arguments as in a shell, in `folder`.
+/// The program with arguments as in a shell (bash), in `folder`.
 inline Ended program(const std::string& arguments, const std::filesystem::path& folder) {
-  const std::string command = "cd '" + folder.string() + "' && '" JETLAG_PROGRAM "' " + arguments + " 2>&1";
-  FILE* pipe = popen(command.c_str(), "r");
+  const std::string command = "cd '" + folder.string() + "' && '" JETLAG_PROGRAM "' 2>&1 " + arguments;
+  FILE* pipe = popen(("exec bash -c " + quoted(command)).c_str(), "r");
   std::string output;
   std::array<char, 4096> buffer;
   while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe)) output.append(buffer.data(), n);

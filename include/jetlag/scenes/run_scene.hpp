@@ -29,8 +29,9 @@ struct RunResult {
   std::vector<EnergyRow> energies;  // one for each frame, when the scene asks for the energy
 };
 
-/// Runs a scene from its initial state. The energy is measured at frames, on the polynomials of the motion; its error
-/// is relative to the initial energy, or where that is 0 to the largest kinetic energy so far.
+/// Runs a scene from its initial state. The energy is measured at the frames, on the polynomials of the motion, and at
+/// the last good state of a run that ends early; max_relative_error is the largest of these. It is relative to the
+/// initial energy, or where that is 0 to the largest kinetic energy so far.
 RunResult run_scene(const Scene& scene, const RunHooks& hooks = {});
 
 /// As above, and leaves in `folder`: scene.json, summary.json, energy.csv, frames/run.pvd with a .vtu for each frame,
