@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 #include "output/film.hpp"
 #include "output/support.hpp"
@@ -131,7 +132,8 @@ class Painter {
       for (const int corner : shape_.surface[t])
         if (held_[index(corner)]) parts.push_back({std::nextafter(depth, HUGE_VAL), -1, corner});
     }
-    std::ranges::stable_sort(parts, {}, &Part::depth);
+    std::ranges::sort(parts, {},
+                      [](const Part& part) { return std::tuple(part.depth, part.triangle, part.mark); });
     return parts;
   }
 

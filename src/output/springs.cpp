@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "output/film.hpp"
 #include "output/support.hpp"
@@ -33,7 +34,7 @@ Eigen::VectorXd lengths(const Shape& shape, const Frame& frame) {
 std::vector<std::size_t> by_depth(std::size_t count, auto depth) {
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, {}, depth);
+  std::ranges::sort(order, {}, [&](std::size_t i) { return std::pair(depth(i), i); });
   return order;
 }
 
