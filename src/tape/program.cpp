@@ -4,10 +4,10 @@
 namespace jetlag {
 
 Program::Program(const Tape& tape) : parameters(tape.parameters), is_static(tape.is_static()) {
-  const auto keeps = tape.keeps_history();
+  const auto keeps = tape.keeps_history(), ends = tape.ends_at_order_0();
   std::vector<Place> places;
   for (std::size_t i = 0; i < tape.nodes.size(); ++i) {
-    if (tape.nodes[i].is_static)
+    if (tape.nodes[i].is_static || ends[i])
       places.push_back({Place::Space::statics, statics++});
     else if (keeps[i])
       places.push_back({Place::Space::history, histories++});
@@ -21,7 +21,7 @@ Program::Program(const Tape& tape) : parameters(tape.parameters), is_static(tape
       case Node::Kind::parameter: fixed.push_back({places[i], node.parameter, 0.0}); break;
       case Node::Kind::input: inputs.push_back({places[i], node.input}); break;
       case Node::Kind::operation: {
-        Instruction instruction{node.rule, {}};
+        Instruction instruction{node.rule, ends[i], {}};
         for (int operand : node.operands) instruction.operands.push_back(places[operand]);
         instruction.operands.push_back(places[i]);
         (node.is_static ? preparation : instructions).push_back(std::move(instruction));

@@ -34,12 +34,34 @@ std::vector<bool> Tape::keeps_history() const {
     if (node.kind != Node::Kind::operation || node.is_static) continue;
     const auto reads = facts(node.rule).reads;
     for (std::size_t a = 0; a < node.operands.size(); ++a)
-      if (reads[a] == Reads::history) keeps[node.operands[a]] = true;
+      if (reads[a] == Reads::history || reads[a] == Reads::first) keeps[node.operands[a]] = true;
     if (reads.back() == Reads::history) keeps[i] = true;
   }
+  const auto ends = ends_at_order_0();
   for (std::size_t i = 0; i < nodes.size(); ++i)
-    if (nodes[i].is_static) keeps[i] = false;
+    if (nodes[i].is_static || ends[i]) keeps[i] = false;
   return keeps;
+}
+
+std::vector<bool> Tape::ends_at_order_0() const {
+  // From the outputs backwards: a node ends at order 0 when each of its readers reads coefficient 0, or ends itself.
+  std::vector<bool> goes_on(nodes.size(), false);
+  for (int output : outputs) goes_on[output] = true;
+  for (bool changed = true; changed;) {  // more than once only for coupled rules, which read forwards
+    changed = false;
+    for (std::size_t i = nodes.size(); i-- > 0;) {
+      const Node& node = nodes[i];
+      if (node.kind != Node::Kind::operation || !goes_on[i]) continue;
+      const auto reads = facts(node.rule).reads;
+      for (std::size_t a = 0; a < node.operands.size(); ++a)
+        if (reads[a] != Reads::first && !goes_on[node.operands[a]])
+          goes_on[node.operands[a]] = changed = true;
+    }
+  }
+  std::vector<bool> ends(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    ends[i] = !nodes[i].is_static && nodes[i].kind == Node::Kind::operation && !goes_on[i];
+  return ends;
 }
 
 bool Tape::is_static() const {
@@ -49,7 +71,7 @@ bool Tape::is_static() const {
 }
 
 std::string Tape::to_string() const {
-  const auto keeps = keeps_history();
+  const auto keeps = keeps_history(), ends = ends_at_order_0();
   std::string text;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const Node& node = nodes[i];
@@ -72,7 +94,7 @@ std::string Tape::to_string() const {
         text += ")";
       }
     }
-    text += node.is_static ? "   [static]" : keeps[i] ? "   [history]" : "";
+    text += node.is_static ? "   [static]" : ends[i] ? "   [order 0]" : keeps[i] ? "   [history]" : "";
     text += "\n";
   }
   for (int output : outputs) text += "output v" + std::to_string(output) + "\n";

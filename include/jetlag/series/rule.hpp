@@ -28,6 +28,7 @@ namespace jetlag {
 enum class Reads {
   nothing,   // none of it
   constant,  // coefficient 0; the operand has no other
+  first,     // coefficient 0, at every order (a condition)
   newest,    // coefficient k
   history,   // any coefficient <= k (of the result itself: < k)
 };

@@ -3,7 +3,8 @@
 // A tape laid out in memory, and the blocks of elements it runs over.
 //
 //   history    one for each block   series of which a rule reads old coefficients, [slot][order][lane]
-//   statics    one for each block   constants, parameters and what follows from them, [slot][lane]
+//   statics    one for each block   constants, parameters and what follows from them, and the series of which
+//                                   only coefficient 0 is read, [slot][lane]
 //   scratch    one for all blocks   series of which only the newest coefficient is read, [slot][lane]
 //
 // A spring keeps 5 histories (its three differences, its length, its force divided by its length).
@@ -29,6 +30,7 @@ struct Place {
 
 struct Instruction {
   int rule;
+  bool only_at_order_0;
   std::vector<Place> operands;  // those of the rule, then the result
 };
 
@@ -127,7 +129,8 @@ class Blocks {
   /// Coefficient k of every operation, in one block.
   void run(std::size_t block, int k) {
     assert(k < capacity_);
-    for (const Instruction& instruction : program_.instructions) execute(instruction, block, k);
+    for (const Instruction& instruction : program_.instructions)
+      if (k == 0 || !instruction.only_at_order_0) execute(instruction, block, k);
   }
 
   std::size_t bytes() const { return sizeof(T) * (history_.size() + statics_.size() + scratch_.size()); }

@@ -112,7 +112,7 @@ Recorded record(const U&... u) {
     if (reads == Reads::constant && !recording->is_static(x))
       throw std::invalid_argument(std::string(R::name) +
                                   ": an operand that must be constant depends on the motion");
-    if (reads != Reads::constant && recording->is_static(x) && !all_static)
+    if (reads != Reads::constant && reads != Reads::first && recording->is_static(x) && !all_static)
       node = recording->operation(rule_id<Embed>, {node}, false).node();
     operands.push_back(node);
   };

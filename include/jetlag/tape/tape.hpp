@@ -39,6 +39,9 @@ struct Tape {
   /// For each node, whether any rule reads coefficients older than the newest.
   std::vector<bool> keeps_history() const;
 
+  /// For each node, whether it has a series of which only coefficient 0 is ever read: nothing is computed above it.
+  std::vector<bool> ends_at_order_0() const;
+
   /// Whether no output has a series, so that orders above 0 are zero.
   bool is_static() const;
 
