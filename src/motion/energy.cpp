@@ -28,9 +28,8 @@ Energy EnergyMeter::operator()(const State<double>& state) {
     }
     energy.kinetic += 0.5 * mass_[i] * state.velocity.row(i).squaredNorm();
   }
-  for (auto& blocks : potentials_)
-    blocks.run(0, position_.data(), velocity_.data(), state.time,
-               [&](std::size_t b) { energy.potential += blocks.sum(b); });
+  const MotionRows<double> motion{position_.data(), velocity_.data(), 0, state.time};
+  for (auto& blocks : potentials_) energy.potential += blocks.sum(motion);
   return energy;
 }
 

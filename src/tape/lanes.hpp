@@ -38,103 +38,226 @@ inline Register root(Register x) { return _mm_sqrt_pd(x); }
 #endif
 
 inline constexpr int register_width = sizeof(Register) / sizeof(double);
-inline constexpr int registers = 4;  // independent sums, enough to hide the latency of an FMA
-inline constexpr int block_lanes = 32;
 
-/// `width` doubles with the arithmetic of one.
-struct Lane {
-  static constexpr int width = register_width * registers;
-  Register r[registers];
+#if defined(__AVX2__)
+/// Four rows of four become four columns.
+inline void transpose(__m256d (&r)[4]) {
+  const __m256d low01 = _mm256_unpacklo_pd(r[0], r[1]), high01 = _mm256_unpackhi_pd(r[0], r[1]);
+  const __m256d low23 = _mm256_unpacklo_pd(r[2], r[3]), high23 = _mm256_unpackhi_pd(r[2], r[3]);
+  r[0] = _mm256_permute2f128_pd(low01, low23, 0x20);
+  r[1] = _mm256_permute2f128_pd(high01, high23, 0x20);
+  r[2] = _mm256_permute2f128_pd(low01, low23, 0x31);
+  r[3] = _mm256_permute2f128_pd(high01, high23, 0x31);
+}
 
-  Lane() = default;
-  explicit Lane(double x) {
+inline void gather_rows_of_three(int lanes, const double* from, const int* plus, const int* minus,
+                                 double* const* to) {
+  for (int lane = 0; lane < lanes; lane += 4) {
+    __m256d r[4];
+    for (int i = 0; i < 4; ++i) r[i] = _mm256_load_pd(from + plus[lane + i]);
+    if (minus)
+      for (int i = 0; i < 4; ++i) r[i] -= _mm256_load_pd(from + minus[lane + i]);
+    transpose(r);
+    for (int c = 0; c < 3; ++c) _mm256_store_pd(to[c] + lane, r[c]);
+  }
+}
+
+inline void scatter_rows_of_three(int active, const double* const* f, const int* plus, const int* minus,
+                                  double* into) {
+  for (int lane = 0; lane < active; lane += 4) {
+    __m256d r[4];
+    for (int c = 0; c < 3; ++c) r[c] = _mm256_load_pd(f[c] + lane);
+    r[3] = _mm256_setzero_pd();
+    transpose(r);
+    for (int i = 0; i < 4 && lane + i < active; ++i) {
+      double* row = into + plus[lane + i];
+      _mm256_store_pd(row, _mm256_load_pd(row) + r[i]);
+      if (!minus) continue;
+      row = into + minus[lane + i];
+      _mm256_store_pd(row, _mm256_load_pd(row) - r[i]);
+    }
+  }
+}
+#endif
+
+/// n registers of doubles with the arithmetic of one number.
+template <int n>
+struct Lanes {
+  static constexpr int registers = n;
+  static constexpr int width = register_width * n;
+  Register r[n];
+
+  Lanes() = default;
+  explicit Lanes(double x) {
     for (auto& v : r) v = broadcast(x);
   }
-  static Lane load(const double* from) {
-    Lane x;
-    for (int i = 0; i < registers; ++i) x.r[i] = JETLAG_INSTRUCTION_SET_NAME::load(from + i * register_width);
+  static Lanes load(const double* from) {
+    Lanes x;
+    for (int i = 0; i < n; ++i) x.r[i] = JETLAG_INSTRUCTION_SET_NAME::load(from + i * register_width);
     return x;
   }
-  static void store(double* to, const Lane& x) {
-    for (int i = 0; i < registers; ++i) JETLAG_INSTRUCTION_SET_NAME::store(to + i * register_width, x.r[i]);
+  static void store(double* to, const Lanes& x) {
+    for (int i = 0; i < n; ++i) JETLAG_INSTRUCTION_SET_NAME::store(to + i * register_width, x.r[i]);
   }
+#if defined(__AVX2__)
+  static void gather_rows_of_three(int lanes, const double* from, const int* plus, const int* minus,
+                                   double* const* to) {
+    JETLAG_INSTRUCTION_SET_NAME::gather_rows_of_three(lanes, from, plus, minus, to);
+  }
+  static void scatter_rows_of_three(int active, const double* const* f, const int* plus, const int* minus,
+                                    double* into) {
+    JETLAG_INSTRUCTION_SET_NAME::scatter_rows_of_three(active, f, plus, minus, into);
+  }
+#endif
 };
 
-template <class F>
-inline Lane each_register(F f) {
-  Lane out;
-  for (int i = 0; i < registers; ++i) out.r[i] = f(i);
+template <int n, class F>
+inline Lanes<n> each_register(F f) {
+  Lanes<n> out;
+  for (int i = 0; i < n; ++i) out.r[i] = f(i);
   return out;
 }
 
-inline Lane operator+(const Lane& a, const Lane& b) {
-  return each_register([&](int i) { return a.r[i] + b.r[i]; });
+template <int n>
+inline Lanes<n> operator+(const Lanes<n>& a, const Lanes<n>& b) {
+  return each_register<n>([&](int i) { return a.r[i] + b.r[i]; });
 }
-inline Lane operator-(const Lane& a, const Lane& b) {
-  return each_register([&](int i) { return a.r[i] - b.r[i]; });
+template <int n>
+inline Lanes<n> operator-(const Lanes<n>& a, const Lanes<n>& b) {
+  return each_register<n>([&](int i) { return a.r[i] - b.r[i]; });
 }
-inline Lane operator-(const Lane& a) {
-  return each_register([&](int i) { return -a.r[i]; });
+template <int n>
+inline Lanes<n> operator-(const Lanes<n>& a) {
+  return each_register<n>([&](int i) { return -a.r[i]; });
 }
-inline Lane operator*(const Lane& a, const Lane& b) {
-  return each_register([&](int i) { return a.r[i] * b.r[i]; });
+template <int n>
+inline Lanes<n> operator*(const Lanes<n>& a, const Lanes<n>& b) {
+  return each_register<n>([&](int i) { return a.r[i] * b.r[i]; });
 }
-inline Lane operator/(const Lane& a, const Lane& b) {
-  return each_register([&](int i) { return a.r[i] / b.r[i]; });
+template <int n>
+inline Lanes<n> operator/(const Lanes<n>& a, const Lanes<n>& b) {
+  return each_register<n>([&](int i) { return a.r[i] / b.r[i]; });
 }
-inline Lane operator*(double x, const Lane& a) { return Lane(x) * a; }
-inline Lane operator-(const Lane& a, double x) { return a - Lane(x); }
-inline Lane operator/(const Lane& a, double x) { return a / Lane(x); }
-inline Lane sqrt(const Lane& a) {
-  return each_register([&](int i) { return root(a.r[i]); });
+template <int n>
+inline Lanes<n> operator*(double x, const Lanes<n>& a) {
+  return Lanes<n>(x) * a;
+}
+template <int n>
+inline Lanes<n> operator-(const Lanes<n>& a, double x) {
+  return a - Lanes<n>(x);
+}
+template <int n>
+inline Lanes<n> operator/(const Lanes<n>& a, double x) {
+  return a / Lanes<n>(x);
+}
+template <int n>
+inline Lanes<n> sqrt(const Lanes<n>& a) {
+  return each_register<n>([&](int i) { return root(a.r[i]); });
 }
 
 /// f lane by lane, for the functions that the instruction set lacks; they are needed at order 0 only.
-template <class F>
-inline Lane each_lane(const Lane& a, F f) {
-  alignas(64) double x[Lane::width];
-  Lane::store(x, a);
+template <int n, class F>
+inline Lanes<n> each_lane(const Lanes<n>& a, F f) {
+  alignas(64) double x[Lanes<n>::width];
+  Lanes<n>::store(x, a);
   for (double& v : x) v = f(v);
-  return Lane::load(x);
+  return Lanes<n>::load(x);
 }
-inline Lane exp(const Lane& a) {
+template <int n>
+inline Lanes<n> exp(const Lanes<n>& a) {
   return each_lane(a, [](double x) { return ::exp(x); });
 }
-inline Lane log(const Lane& a) {
+template <int n>
+inline Lanes<n> log(const Lanes<n>& a) {
   return each_lane(a, [](double x) { return ::log(x); });
 }
-inline Lane sin(const Lane& a) {
+template <int n>
+inline Lanes<n> sin(const Lanes<n>& a) {
   return each_lane(a, [](double x) { return ::sin(x); });
 }
-inline Lane cos(const Lane& a) {
+template <int n>
+inline Lanes<n> cos(const Lanes<n>& a) {
   return each_lane(a, [](double x) { return ::cos(x); });
 }
-inline Lane pow(const Lane& a, const Lane& b) {
-  alignas(64) double x[Lane::width], y[Lane::width];
-  Lane::store(x, a);
-  Lane::store(y, b);
-  for (int i = 0; i < Lane::width; ++i) x[i] = ::pow(x[i], y[i]);
-  return Lane::load(x);
+template <int n>
+inline Lanes<n> pow(const Lanes<n>& a, const Lanes<n>& b) {
+  alignas(64) double x[Lanes<n>::width], y[Lanes<n>::width];
+  Lanes<n>::store(x, a);
+  Lanes<n>::store(y, b);
+  for (int i = 0; i < Lanes<n>::width; ++i) x[i] = ::pow(x[i], y[i]);
+  return Lanes<n>::load(x);
 }
 
-extern const KernelTable<double> table;
+/// One number, compiled for this instruction set: for scenes with a single element.
+struct One {
+  static constexpr int width = 1;
+  double x;
+
+  One() = default;
+  explicit One(double value) : x(value) {}
+  static One load(const double* from) { return One(*from); }
+  static void store(double* to, const One& value) { *to = value.x; }
+};
+inline One operator+(One a, One b) { return One(a.x + b.x); }
+inline One operator-(One a, One b) { return One(a.x - b.x); }
+inline One operator-(One a) { return One(-a.x); }
+inline One operator*(One a, One b) { return One(a.x * b.x); }
+inline One operator/(One a, One b) { return One(a.x / b.x); }
+inline One operator*(double x, One a) { return One(x * a.x); }
+inline One operator-(One a, double x) { return One(a.x - x); }
+inline One operator/(One a, double x) { return One(a.x / x); }
+inline One sqrt(One a) { return One(::sqrt(a.x)); }
+template <class F>
+inline One each_lane(One a, F f) {
+  return One(f(a.x));
+}
+inline One exp(One a) { return One(::exp(a.x)); }
+inline One log(One a) { return One(::log(a.x)); }
+inline One sin(One a) { return One(::sin(a.x)); }
+inline One cos(One a) { return One(::cos(a.x)); }
+inline One pow(One a, One b) { return One(::pow(a.x, b.x)); }
+
+extern const KernelTable<double> of_one, of_16, table;
 
 }  // namespace jetlag::JETLAG_INSTRUCTION_SET_NAME
 
 namespace jetlag {
-/// a b + c in one rounding where the instruction set has it.
+/// a b + c in one rounding where the instruction set has it. Narrow blocks spread a sum over several partial sums: the
+/// latency of a fused multiply-add is hidden by eight of them in flight.
+#define JETLAG_MULTIPLY_ADD(n)                                                                        \
+  template <>                                                                                         \
+  inline JETLAG_INSTRUCTION_SET_NAME::Lanes<n> multiply_add(                                          \
+      const JETLAG_INSTRUCTION_SET_NAME::Lanes<n>& a, const JETLAG_INSTRUCTION_SET_NAME::Lanes<n>& b, \
+      const JETLAG_INSTRUCTION_SET_NAME::Lanes<n>& c) {                                               \
+    using namespace JETLAG_INSTRUCTION_SET_NAME;                                                      \
+    return each_register<n>([&](int i) { return fused(a.r[i], b.r[i], c.r[i]); });                    \
+  }
+JETLAG_MULTIPLY_ADD(2)
+JETLAG_MULTIPLY_ADD(4)
+#undef JETLAG_MULTIPLY_ADD
 template <>
-inline JETLAG_INSTRUCTION_SET_NAME::Lane multiply_add(const JETLAG_INSTRUCTION_SET_NAME::Lane& a,
-                                                      const JETLAG_INSTRUCTION_SET_NAME::Lane& b,
-                                                      const JETLAG_INSTRUCTION_SET_NAME::Lane& c) {
-  using namespace JETLAG_INSTRUCTION_SET_NAME;
-  return each_register([&](int i) { return fused(a.r[i], b.r[i], c.r[i]); });
+inline JETLAG_INSTRUCTION_SET_NAME::One multiply_add(const JETLAG_INSTRUCTION_SET_NAME::One& a,
+                                                     const JETLAG_INSTRUCTION_SET_NAME::One& b,
+                                                     const JETLAG_INSTRUCTION_SET_NAME::One& c) {
+#if defined(__FMA__)
+  return JETLAG_INSTRUCTION_SET_NAME::One(__builtin_fma(a.x, b.x, c.x));
+#else
+  return JETLAG_INSTRUCTION_SET_NAME::One(a.x * b.x + c.x);
+#endif
 }
+template <>
+inline constexpr int partial_sums<JETLAG_INSTRUCTION_SET_NAME::Lanes<2>> = 2;
+template <>
+inline constexpr int partial_sums<JETLAG_INSTRUCTION_SET_NAME::One> = 4;
 }  // namespace jetlag
 
 namespace jetlag::JETLAG_INSTRUCTION_SET_NAME {
 #define JETLAG_STRING_(x) #x
 #define JETLAG_STRING(x) JETLAG_STRING_(x)
+#define JETLAG_NAME JETLAG_STRING(JETLAG_INSTRUCTION_SET_NAME)
+constinit const KernelTable<double> of_one = detail::make_kernels<One, double, 1>(JETLAG_NAME, Rules{});
+constinit const KernelTable<double> of_16 =
+    detail::make_kernels<Lanes<2>, double, 16>(JETLAG_NAME, Rules{}, &of_one);
 constinit const KernelTable<double> table =
-    detail::make_kernels<Lane, double, block_lanes>(JETLAG_STRING(JETLAG_INSTRUCTION_SET_NAME), Rules{});
+    detail::make_kernels<Lanes<4>, double, 32>(JETLAG_NAME, Rules{}, &of_16);
 }  // namespace jetlag::JETLAG_INSTRUCTION_SET_NAME

@@ -21,8 +21,11 @@ Program::Program(const Tape& tape) : parameters(tape.parameters), is_static(tape
       case Node::Kind::parameter: fixed.push_back({places[i], node.parameter, 0.0}); break;
       case Node::Kind::input: inputs.push_back({places[i], node.input}); break;
       case Node::Kind::operation: {
-        Instruction instruction{node.rule, ends[i], {}};
-        for (int operand : node.operands) instruction.operands.push_back(places[operand]);
+        Instruction instruction{node.rule, ends[i], false, {}};
+        for (int operand : node.operands) {
+          instruction.operands.push_back(places[operand]);
+          if (operand > static_cast<int>(i)) instruction.coupled = true;
+        }
         instruction.operands.push_back(places[i]);
         (node.is_static ? preparation : instructions).push_back(std::move(instruction));
       }

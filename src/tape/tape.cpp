@@ -80,7 +80,7 @@ std::string Tape::to_string() const {
       case Node::Kind::constant: text += std::to_string(node.value); break;
       case Node::Kind::parameter: text += "parameter " + std::to_string(node.parameter); break;
       case Node::Kind::input: {
-        static constexpr const char* names[] = {"position", "velocity", "time"};
+        static constexpr const char* names[] = {"position", "velocity", "time", "separation"};
         text += names[static_cast<int>(node.input.kind)];
         if (node.input.kind != Input::Kind::time)
           text += "[" + std::to_string(node.input.participant) + "][" + std::to_string(node.input.component) +

@@ -56,7 +56,7 @@ TYPED_TEST(RuleLaws, ReadsOnlyWhatItDeclares) {
         EXPECT_GE(j, 0);
         EXPECT_LE(j, is_result ? k - 1 : k);
         EXPECT_NE(reads[a], Reads::nothing);
-        if (reads[a] == Reads::constant) {
+        if (reads[a] == Reads::constant || reads[a] == Reads::first) {
           EXPECT_EQ(j, 0);
         }
         if (reads[a] == Reads::newest) {
@@ -132,6 +132,25 @@ TYPED_TEST(RuleLaws, ResumedSeriesIsTheFreshOne) {
   for (int k = half; k <= degree; ++k) compute(k, known, std::make_index_sequence<n - 1>{});
   const auto fresh = on_random_operands<TypeParam, degree>();
   for (int k = 0; k <= degree; ++k) EXPECT_EQ(v[k], fresh[k]) << k;
+}
+
+TYPED_TEST(RuleLaws, TwoOrdersAtOnceAreOneAfterTheOther) {  // bit for bit, and nothing unknown is read
+  if constexpr (requires { TypeParam::two_from; }) {
+    constexpr std::size_t n = TypeParam::reads.size();
+    std::array<Jet<double, degree>, n> operands;
+    for (std::size_t a = 0; a + 1 < n; ++a)
+      operands[a] = TypeParam::reads[a] == Reads::constant ? Jet<double, degree>(2.5)
+                                                           : random_operand<degree>(static_cast<int>(a));
+    const auto fresh = on_random_operands<TypeParam, degree>();
+    for (int k = TypeParam::two_from; k < degree; ++k) {
+      auto& v = operands[n - 1];
+      for (int j = 0; j <= degree; ++j) v[j] = j < k ? fresh[j] : std::numeric_limits<double>::quiet_NaN();
+      const auto both =
+          std::apply([&](const auto&... u) { return TypeParam::two_coefficients(k, u...); }, operands);
+      EXPECT_EQ(both[0], fresh[k]) << k;
+      EXPECT_EQ(both[1], fresh[k + 1]) << k;
+    }
+  }
 }
 
 TEST(Embed, GivesANumberTheSeriesOfAConstant) {

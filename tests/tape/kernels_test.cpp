@@ -65,31 +65,46 @@ Tape tape_of() {
 /// A tape over all elements, order by order: the result of each element. Inputs are components 0 .. n - 1.
 template <std::size_t n>
 std::vector<J> run_tape(const Tape& tape, const std::vector<std::array<J, n>>& operands,
-                        const std::vector<double>& parameters, const KernelTable<double>& table) {
+                        const std::vector<double>& parameters, const KernelTable<double>& table,
+                        int at_once = 1) {
   const Program program(tape);
   Blocks<double> blocks(program, operands.size(), parameters, table);
   blocks.reserve(degree + 1);
   std::vector<J> results(operands.size());
-  for (int k = 0; k <= degree; ++k)
+  for (int k = 0; k <= degree; k += at_once)
     for (std::size_t b = 0; b < blocks.blocks(); ++b) {
-      for (const auto& [place, input] : program.inputs)
+      const int orders = std::min(at_once, degree + 1 - k);
+      for (int order = k; order < k + orders; ++order)
+        for (const auto& [place, input] : program.inputs)
+          for (int lane = 0; lane < blocks.lanes(); ++lane)
+            blocks.at(b, place, order)[lane] = operands[blocks.element(b, lane)][input.component][order];
+      blocks.run(b, k, orders);
+      for (int order = k; order < k + orders; ++order)
         for (int lane = 0; lane < blocks.lanes(); ++lane)
-          blocks.at(b, place, k)[lane] = operands[blocks.element(b, lane)][input.component][k];
-      blocks.run(b, k);
-      for (int lane = 0; lane < blocks.lanes(); ++lane)
-        results[blocks.element(b, lane)][k] = blocks.at(b, program.outputs[0], k)[lane];
+          results[blocks.element(b, lane)][order] = blocks.at(b, program.outputs[0], order)[lane];
     }
   return results;
 }
 
 /// The tape of one rule; what it reads as constant is the parameter.
 template <class R>
-std::vector<J> run(const Operands<R>& operands, const KernelTable<double>& table) {
+std::vector<J> run(const Operands<R>& operands, const KernelTable<double>& table, int at_once = 1) {
   std::vector<double> parameters;
   for (int a = 0; a < arity<R>; ++a)
     if (R::reads[a] == Reads::constant)
       for (const auto& of_element : operands) parameters.push_back(of_element[a][0]);
-  return run_tape<arity<R>>(tape_of<R>(), operands, parameters, table);
+  return run_tape<arity<R>>(tape_of<R>(), operands, parameters, table, at_once);
+}
+
+/// All tables of this machine: every instruction set in every width of a block.
+std::vector<const KernelTable<double>*> tables_of_all_widths() {
+  std::vector<const KernelTable<double>*> all;
+  for (const auto* widest : available_kernels())
+    for (const auto* table = widest; table; table = table->narrower) all.push_back(table);
+  return all;
+}
+std::string name(const KernelTable<double>& table) {
+  return std::string(table.instruction_set) + ", " + std::to_string(table.lanes) + " lanes";
 }
 
 /// The rule on jets of another number type.
@@ -127,8 +142,8 @@ TYPED_TEST(KernelLaws, LanesAgreeWithAJetOnEveryInstructionSet) {
   // A fused multiply-add rounds once where the jet rounds twice: both lie within the bound that the jet
   // carries.
   const auto operands = random_operands<TypeParam>();
-  for (const auto* table : available_kernels()) {
-    SCOPED_TRACE(table->instruction_set);
+  for (const auto* table : tables_of_all_widths()) {
+    SCOPED_TRACE(name(*table));
     const auto results = run<TypeParam>(operands, *table);
     for (int e = 0; e < elements; ++e)
       EXPECT_THAT((on_jets<TypeParam, Tracked>(operands[e])),
@@ -137,9 +152,20 @@ TYPED_TEST(KernelLaws, LanesAgreeWithAJetOnEveryInstructionSet) {
   }
 }
 
+TYPED_TEST(KernelLaws, TwoOrdersAtOnceHaveTheBitsOfOneAfterTheOther) {
+  const auto operands = random_operands<TypeParam>();
+  for (const auto* table : tables_of_all_widths()) {
+    SCOPED_TRACE(name(*table));
+    const auto one = run<TypeParam>(operands, *table, 1), two = run<TypeParam>(operands, *table, 2);
+    for (int e = 0; e < elements; ++e)
+      for (int k = 0; k <= degree; ++k)
+        EXPECT_TRUE(same_bits(one[e][k], two[e][k])) << "element " << e << ", order " << k;
+  }
+}
+
 TYPED_TEST(KernelLaws, NotFiniteLanesLeaveTheOthersAlone) {
-  for (const auto* table : available_kernels()) {
-    SCOPED_TRACE(table->instruction_set);
+  for (const auto* table : tables_of_all_widths()) {
+    SCOPED_TRACE(name(*table));
     auto operands = random_operands<TypeParam>();
     const auto before = run<TypeParam>(operands, *table);
     const int ill[] = {1, 31, 40, elements - 1};
@@ -166,14 +192,44 @@ TEST(Kernels, ComputeAWholeFunctionAsJetsDo) {  // all rules in one tape, the co
   const Tape tape = recording.finish(
       {f(recording.input({Input::Kind::position, 0, 0}), recording.input({Input::Kind::position, 0, 1}))});
   const auto operands = random_operands<Multiply>();
-  for (const auto* table : available_kernels()) {
-    SCOPED_TRACE(table->instruction_set);
+  for (const auto* table : tables_of_all_widths()) {
+    SCOPED_TRACE(name(*table));
     const auto results = run_tape<2>(tape, operands, {}, *table);
     for (int e = 0; e < elements; ++e) {
       std::array<Tracked, 2> u;
       for (int k = 0; k <= degree; ++k)
         for (int a = 0; a < 2; ++a) u[a][k] = operands[e][a][k];
       EXPECT_THAT(f(u[0], u[1]), HasCoefficients([&](int k) { return RunningError<double>(results[e][k]); }));
+    }
+  }
+}
+
+TEST(Kernels,
+     ComputeCoupledFunctionsTwoOrdersAtOnce) {  // sine and cosine need each other's newest coefficient
+  Recording recording;
+  const Recorded x = recording.input({Input::Kind::position, 0, 0});
+  const Tape tape = recording.finish({sin(x * x) * cos(x) + exp(cos(x))});
+  const auto operands = random_operands<Square>();
+  for (const auto* table : tables_of_all_widths()) {
+    SCOPED_TRACE(name(*table));
+    const auto one = run_tape<1>(tape, operands, {}, *table, 1),
+               two = run_tape<1>(tape, operands, {}, *table, 2);
+    for (int e = 0; e < elements; ++e)
+      for (int k = 0; k <= degree; ++k) EXPECT_TRUE(same_bits(one[e][k], two[e][k])) << e << ", order " << k;
+  }
+}
+
+TEST(Kernels, FitTheNumberOfElements) {
+  for (const auto* widest : available_kernels()) {
+    SCOPED_TRACE(widest->instruction_set);
+    EXPECT_EQ(&widest->fitting(100000), widest);
+    EXPECT_EQ(widest->fitting(1).lanes, 1);
+    for (std::size_t n : {1, 2, 8, 15, 16, 17, 33}) {  // no other width costs less
+      const auto cost = [n](const KernelTable<double>& table) {
+        return (n + table.lanes - 1) / table.lanes * (table.lanes + 6);
+      };
+      for (const auto* table = widest; table; table = table->narrower)
+        EXPECT_LE(cost(widest->fitting(n)), cost(*table)) << n;
     }
   }
 }

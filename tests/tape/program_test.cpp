@@ -72,11 +72,12 @@ TEST(Blocks, RefuseAWrongNumberOfParameters) {
                std::invalid_argument);
 }
 
-TEST(Blocks, HoldTheBytesOfTheirSeries) {  // 2 histories of 8 orders, 1 parameter, 1 scratch, in one lane
+TEST(Blocks, HoldTheBytesOfTheirSeries) {
+  // 2 histories of 8 orders, 1 parameter, 1 scratch of two orders, in one lane; exp has 2 operands, scale 3
   Blocks<double> blocks(Program(scaled_exponential()), 1, {1.0}, scalar_kernels<double>());
-  EXPECT_EQ(blocks.bytes(), sizeof(double) * (1 + 1));
+  EXPECT_EQ(blocks.bytes(), sizeof(double) * (1 + 2));
   blocks.reserve(8);
-  EXPECT_EQ(blocks.bytes(), sizeof(double) * (2 * 8 + 1 + 1));
+  EXPECT_EQ(blocks.bytes(), sizeof(double) * (2 * 8 + 1 + 2) + 5 * sizeof(Operand<double>));
 }
 
 TEST(Blocks, ComputeWhatHasNoSeriesOnce) {  // sqrt(p) x with sqrt(p) among the statics

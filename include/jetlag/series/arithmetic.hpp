@@ -60,6 +60,10 @@ struct Multiply {
   static auto coefficient(int k, const auto& u, const auto& v, const auto&) {
     return convolution(k, 0, k, u, v);
   }
+  static constexpr int two_from = 0;
+  static auto two_coefficients(int k, const auto& u, const auto& v, const auto&) {
+    return two_convolutions(k, u, v);
+  }
 };
 
 /// w = u^2:   w_k = 2 sum_{0<=j<k/2} u_j u_{k-j} + [k even] u_{k/2}^2.
@@ -67,15 +71,26 @@ struct Square {
   static constexpr const char* name = "square";
   static constexpr std::array reads{Reads::history, Reads::nothing};
   static auto coefficient(int k, const auto& u, const auto&) { return symmetric_convolution(k, 0, u); }
+  static constexpr int two_from = 0;
+  static auto two_coefficients(int k, const auto& u, const auto&) { return two_symmetric_convolutions(k, u); }
 };
 
-/// q = f / g:   q_k = (f_k - sum_{j=1..k} g_j q_{k-j}) / g_0.         Source: f = g q.
+/// q = f / g:   q_k = (f_k - sum_{j=0..k-1} q_j g_{k-j}) / g_0.         Source: f = g q.
 /// Range: g_0 != 0. There q_0 is not finite.
 struct Divide {
   static constexpr const char* name = "divide";
   static constexpr std::array reads{Reads::newest, Reads::history, Reads::history};
   static auto coefficient(int k, const auto& f, const auto& g, const auto& q) {
-    return k == 0 ? f[0] / g[0] : (f[k] - convolution(k, 1, k, g, q)) / g[0];
+    return k == 0 ? f[0] / g[0] : (f[k] - convolution(k, 0, k - 1, q, g)) / g[0];
+  }
+  static constexpr int two_from = 1;
+  static auto two_coefficients(int k, const auto& f, const auto& g, const auto& q) {
+    using T = std::decay_t<decltype(f[0] / g[0])>;
+    const auto [known_of_next, sum] = two_sums_of_products<T>(
+        k, [&](int j) -> decltype(auto) { return g[k + 1 - j]; },
+        [&](int j) -> decltype(auto) { return q[j]; });
+    const T newest = (f[k] - sum) / g[0];
+    return Two<T>{newest, (f[k + 1] - multiply_add<T>(newest, g[1], known_of_next)) / g[0]};
   }
 };
 

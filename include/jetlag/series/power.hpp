@@ -17,9 +17,32 @@ struct Power {
     using std::pow;
     using T = std::decay_t<decltype(f[0] * p[0])>;
     if (k == 0) return T(pow(f[0], a[0]));
-    T sum = (k * a[0]) * f[k] * p[0];
-    for (int j = 1; j < k; ++j) sum = multiply_add<T>(((k - j) * a[0] - j) * f[k - j], p[j], sum);
-    return T(sum / (k * f[0]));
+    return T(sum_of_products<T>(
+                 k, [&](int j) { return T(weight<T>(k, j, a) * f[k - j]); },
+                 [&](int j) -> decltype(auto) { return p[j]; }) /
+             (k * f[0]));
+  }
+  static constexpr int two_from = 1;
+  static auto two_coefficients(int k, const auto& a, const auto& f, const auto& p) {
+    using T = std::decay_t<decltype(f[0] * p[0])>;
+    T of_next = f[k + 1], sum(0), sum_of_next(0);
+    for (int j = 0; j < k; ++j) {
+      const T of_this = f[k - j], common = p[j];
+      const T here = weight<T>(k, j, a) * of_this, next = weight<T>(k + 1, j, a) * of_next;
+      sum = j == 0 ? T(here * common) : multiply_add<T>(here, common, sum);
+      sum_of_next = j == 0 ? T(next * common) : multiply_add<T>(next, common, sum_of_next);
+      of_next = of_this;
+    }
+    const T newest = sum / (k * f[0]);
+    sum_of_next = multiply_add<T>(T(weight<T>(k + 1, k, a) * f[1]), newest, sum_of_next);
+    return Two<T>{newest, sum_of_next / ((k + 1) * f[0])};
+  }
+
+ private:
+  /// a (k-j) - j
+  template <class T>
+  static T weight(int k, int j, const auto& a) {
+    return multiply_add<T>(T(k - j), T(a[0]), T(-j));
   }
 };
 

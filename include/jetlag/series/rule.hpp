@@ -49,14 +49,41 @@ T multiply_add(const T& a, const T& b, const T& c) {
   return a * b + c;
 }
 
+/// Partial sums that a sum of products is spread over, so that one addition need not wait for the last. One is enough
+/// where T itself is several registers wide.
+template <class T>
+inline constexpr int partial_sums = 1;
+
+/// sum_{i=0..n-1} a(i) b(i), n >= 1: term i goes to partial sum i modulo partial_sums<T>.
+template <class T, class A, class B>
+T sum_of_products(int n, const A& a, const B& b) {
+  constexpr int width = partial_sums<T>;
+  if constexpr (width == 1) {
+    T sum = a(0) * b(0);
+    for (int i = 1; i < n; ++i) sum = multiply_add<T>(a(i), b(i), sum);
+    return sum;
+  } else {
+    T part[width];
+    for (int c = 0; c < width; ++c) part[c] = c < n ? T(a(c) * b(c)) : T(0);
+    int i = width;
+    for (; i + width <= n; i += width)
+      for (int c = 0; c < width; ++c) part[c] = multiply_add<T>(a(i + c), b(i + c), part[c]);
+    for (int c = 0; c < width - 1; ++c)
+      if (i + c < n) part[c] = multiply_add<T>(a(i + c), b(i + c), part[c]);
+    for (int half = width / 2; half > 0; half /= 2)
+      for (int c = 0; c < half; ++c) part[c] = part[c] + part[c + half];
+    return part[0];
+  }
+}
+
 /// sum_{j=first..last} u_j v_{k-j}, summed in the order of j; 0 when the range is empty.
 template <class U, class V>
 auto convolution(int k, int first, int last, const U& u, const V& v) {
   using T = std::decay_t<decltype(u[0] * v[0])>;
   if (first > last) return T(0);
-  T sum = u[first] * v[k - first];
-  for (int j = first + 1; j <= last; ++j) sum = multiply_add<T>(u[j], v[k - j], sum);
-  return sum;
+  return sum_of_products<T>(
+      last - first + 1, [&](int i) -> decltype(auto) { return u[first + i]; },
+      [&](int i) -> decltype(auto) { return v[k - first - i]; });
 }
 
 /// sum_{j=first..last} j u_j v_{k-j}; 0 when the range is empty.
@@ -64,20 +91,78 @@ template <class U, class V>
 auto weighted_convolution(int k, int first, int last, const U& u, const V& v) {
   using T = std::decay_t<decltype(u[0] * v[0])>;
   if (first > last) return T(0);
-  T sum = (first * u[first]) * v[k - first];
-  for (int j = first + 1; j <= last; ++j) sum = multiply_add<T>(j * u[j], v[k - j], sum);
-  return sum;
+  return sum_of_products<T>(
+      last - first + 1, [&](int i) { return T((first + i) * u[first + i]); },
+      [&](int i) -> decltype(auto) { return v[k - first - i]; });
 }
 
-/// sum_{j=first..k-first} u_j u_{k-j}, each pair of equal terms computed once; 0 when the range is empty.
+/// sum_{j=first..k-first} u_j u_{k-j}, each pair of equal terms computed once, the outermost last; 0 when the range is
+/// empty.
 template <class U>
 auto symmetric_convolution(int k, int first, const U& u) {
   using T = std::decay_t<decltype(u[0] * u[0])>;
   const int last = (k + 1) / 2 - 1;  // the largest j with j < k - j
-  T sum = convolution(k, first, last, u, u);
+  T sum = convolution(k, k - last, k - first, u, u);
   if (first <= last) sum = sum + sum;
   if (k % 2 == 0 && first <= k / 2) sum = multiply_add<T>(u[k / 2], u[k / 2], sum);
   return sum;
+}
+
+// ---- two orders at once ----------------------------------------------------------------------------------
+//
+// Coefficients k and k + 1 read nearly the same coefficients. Computed together they load each of them once, where
+// loading is what takes the time. A rule may have a second member for this,
+//
+//     static auto two_coefficients(int k, const auto& u, const auto& v);    // {v_k, v_{k+1}} for k >= two_from
+//     static constexpr int two_from = 0;
+//
+// Invariant, tested as well: the same bits as `coefficient`, one after the other.
+
+template <class T>
+using Two = std::array<T, 2>;
+
+/// { sum_{i=0..n-1} a(i) b(i),  head + sum_{i=0..n-1} a(i+1) b(i) };   head may be null.
+template <class T, class A, class B>
+Two<T> two_sums_of_products(int n, const A& a, const B& b, const T* head = nullptr) {
+  if (n < 1) return {T(0), head ? *head : T(0)};
+  T next = a(1), common = b(0);
+  T first = a(0) * common, second = head ? multiply_add<T>(next, common, *head) : T(next * common);
+  for (int i = 1; i < n; ++i) {
+    const T here = next;
+    next = a(i + 1);
+    common = b(i);
+    first = multiply_add<T>(here, common, first);
+    second = multiply_add<T>(next, common, second);
+  }
+  return {first, second};
+}
+
+/// Two orders of the product: convolution(k, 0, k, u, v) and convolution(k + 1, 0, k + 1, u, v).
+template <class U, class V>
+auto two_convolutions(int k, const U& u, const V& v) {
+  using T = std::decay_t<decltype(u[0] * v[0])>;
+  const T head = u[0] * v[k + 1];
+  return two_sums_of_products<T>(
+      k + 1, [&](int i) -> decltype(auto) { return u[i]; }, [&](int i) -> decltype(auto) { return v[k - i]; },
+      &head);
+}
+
+/// Two orders of the square: symmetric_convolution(k, 0, u) and symmetric_convolution(k + 1, 0, u).
+template <class U>
+auto two_symmetric_convolutions(int k, const U& u) {
+  using T = std::decay_t<decltype(u[0] * u[0])>;
+  const int half = k / 2, last = (k + 1) / 2 - 1;
+  const bool even = k % 2 == 0;
+  T head(0);
+  if (even) head = u[half + 1] * u[half];
+  Two<T> sums = two_sums_of_products<T>(
+      last + 1, [&](int i) -> decltype(auto) { return u[k - last + i]; },
+      [&](int i) -> decltype(auto) { return u[last - i]; }, even ? &head : nullptr);
+  for (T& sum : sums) sum = sum + sum;
+  T& of_even_order = sums[even ? 0 : 1];
+  const T& middle = u[(k + 1) / 2];
+  of_even_order = k == 0 ? T(middle * middle) : multiply_add<T>(middle, middle, of_even_order);
+  return sums;
 }
 
 }  // namespace jetlag

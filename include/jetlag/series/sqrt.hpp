@@ -17,6 +17,24 @@ struct Sqrt {
     using std::sqrt;
     return k == 0 ? sqrt(f[0]) : (f[k] - symmetric_convolution(k, 1, s)) / (s[0] + s[0]);
   }
+  static constexpr int two_from = 4;
+  static auto two_coefficients(int k, const auto& f, const auto& s) {
+    using T = std::decay_t<decltype(s[0] * s[0])>;
+    const int half = k / 2, last = (k + 1) / 2 - 1;
+    const bool even = k % 2 == 0;
+    T head(0);
+    if (even) head = s[half + 1] * s[half];
+    auto [sum, sum_of_next] = two_sums_of_products<T>(  // without the outermost terms s_1 s_{k-1} and s_1 s_k
+        last - 1, [&](int i) -> decltype(auto) { return s[k - last + i]; },
+        [&](int i) -> decltype(auto) { return s[last - i]; }, even ? &head : nullptr);
+    const auto solved = [&](int n, const T& half_of_sum) {
+      T all = half_of_sum + half_of_sum;
+      if (n % 2 == 0) all = multiply_add<T>(s[n / 2], s[n / 2], all);
+      return T((f[n] - all) / (s[0] + s[0]));
+    };
+    const T newest = solved(k, multiply_add<T>(s[k - 1], s[1], sum));
+    return Two<T>{newest, solved(k + 1, multiply_add<T>(newest, s[1], sum_of_next))};
+  }
 };
 
 }  // namespace jetlag

@@ -5,10 +5,13 @@
 //   history    one for each block   series of which a rule reads old coefficients, [slot][order][lane]
 //   statics    one for each block   constants, parameters and what follows from them, and the series of which
 //                                   only coefficient 0 is read, [slot][lane]
-//   scratch    one for all blocks   series of which only the newest coefficient is read, [slot][lane]
+//   scratch    one for each chunk   series of which only the newest coefficient is read, [slot][last two orders][lane]
+//              of blocks
 //
 // A spring keeps 5 histories (its three differences, its length, its force divided by its length).
 
+#include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstddef>
 #include <memory>
@@ -31,6 +34,7 @@ struct Place {
 struct Instruction {
   int rule;
   bool only_at_order_0;
+  bool coupled;                 // reads the result of the next instruction, which reads this one's
   std::vector<Place> operands;  // those of the rule, then the result
 };
 
@@ -73,6 +77,13 @@ struct AlignedAllocator {
 template <class T>
 using AlignedVector = std::vector<T, AlignedAllocator<T>>;
 
+namespace detail {
+template <Rule... R>
+consteval std::size_t most_operands(RuleList<R...>) {
+  return std::max({R::reads.size()...});
+}
+}  // namespace detail
+
 /// The elements of one law in blocks, and the series of every value of its tape.
 template <class T>
 class Blocks {
@@ -83,7 +94,7 @@ class Blocks {
     if (parameters.size() != count * program_.parameters)
       throw std::invalid_argument("Blocks: as many parameters as the law has are needed for each element");
     statics_.resize(blocks() * program_.statics * lanes());
-    scratch_.resize(static_cast<std::size_t>(program_.scratches) * lanes());
+    scratch_.resize(chunks() * scratch_of_a_chunk());
     for (std::size_t b = 0; b < blocks(); ++b) {
       for (const auto& fixed : program_.fixed) {
         T* to = at(b, fixed.place, 0);
@@ -92,19 +103,42 @@ class Blocks {
                          ? T(fixed.constant)
                          : parameters[element(b, lane) * program_.parameters + fixed.parameter];
       }
-      for (const Instruction& instruction : program_.preparation) execute(instruction, b, 0);
+      for (const Instruction& instruction : program_.preparation) {
+        std::array<Operand<T>, most_operands> operands;
+        for (std::size_t a = 0; a < instruction.operands.size(); ++a)
+          operands[a] = operand(b, instruction.operands[a]);
+        table_->rule[instruction.rule](0, 1, operands.data());
+      }
     }
+    for (const Instruction& instruction : program_.instructions)
+      steps_.push_back({table_->rule[instruction.rule], static_cast<int>(instruction.operands.size()),
+                        instruction.only_at_order_0, instruction.coupled});
   }
 
+  // Operands point into the storage: it may be moved, not copied.
+  Blocks(const Blocks&) = delete;
+  Blocks& operator=(const Blocks&) = delete;
+  Blocks(Blocks&&) = default;
+  Blocks& operator=(Blocks&&) = default;
+
   const Program& program() const { return program_; }
+  const KernelTable<T>& table() const { return *table_; }
   int lanes() const { return table_->lanes; }
   std::size_t count() const { return count_; }
   std::size_t blocks() const { return (count_ + lanes() - 1) / lanes(); }
+
+  /// Blocks run in chunks; different chunks may run at the same time.
+  static constexpr std::size_t blocks_of_a_chunk = 64;
+  std::size_t chunks() const { return (blocks() + blocks_of_a_chunk - 1) / blocks_of_a_chunk; }
 
   /// The element in a lane. Lanes beyond the last element repeat it, so that they compute nothing unusual.
   std::size_t element(std::size_t block, int lane) const {
     const std::size_t e = block * lanes() + lane;
     return e < count_ ? e : count_ - 1;
+  }
+  /// Number of lanes of a block that hold elements of their own.
+  int active(std::size_t block) const {
+    return static_cast<int>(std::min<std::size_t>(lanes(), count_ - block * lanes()));
   }
 
   /// Room for orders 0 .. capacity - 1; what has been computed is kept.
@@ -114,49 +148,85 @@ class Blocks {
     const std::size_t series = blocks() * program_.histories,
                       old = static_cast<std::size_t>(capacity_) * lanes();
     for (std::size_t s = 0; s < series; ++s)
-      for (std::size_t i = 0; i < old; ++i) wider[s * capacity * lanes() + i] = history_[s * old + i];
+      std::copy_n(history_.begin() + s * old, old, wider.begin() + s * capacity * lanes());
     history_ = std::move(wider);
     capacity_ = capacity;
+    operands_.clear();
+    for (std::size_t b = 0; b < blocks(); ++b)
+      for (const Instruction& instruction : program_.instructions)
+        for (Place place : instruction.operands) operands_.push_back(operand(b, place));
+    operands_of_a_block_ = blocks() == 0 ? 0 : operands_.size() / blocks();
   }
   int capacity() const { return capacity_; }
 
-  /// Coefficient k of a value of the tape in one block: one number a lane. The caller fills in the inputs.
+  /// Coefficient k of a value of the tape in one block: one number a lane. The caller fills in the inputs. Of a value
+  /// without a history only the last two orders are kept.
   T* at(std::size_t block, Place place, int k) {
-    const Operand<T> operand = resolve(block, place);
-    return operand.base + k * operand.stride;
+    const Operand<T> o = operand(block, place);
+    return o.base + (k & o.kept) * o.stride;
   }
 
-  /// Coefficient k of every operation, in one block.
-  void run(std::size_t block, int k) {
-    assert(k < capacity_);
-    for (const Instruction& instruction : program_.instructions)
-      if (k == 0 || !instruction.only_at_order_0) execute(instruction, block, k);
-  }
-
-  std::size_t bytes() const { return sizeof(T) * (history_.size() + statics_.size() + scratch_.size()); }
-
- private:
-  Operand<T> resolve(std::size_t block, Place place) {
-    const auto n = static_cast<std::size_t>(lanes());
-    switch (place.space) {
-      case Place::Space::history:
-        return {&history_[(block * program_.histories + place.slot) * capacity_ * n], table_->lanes};
-      case Place::Space::statics: return {&statics_[(block * program_.statics + place.slot) * n], 0};
-      default: return {&scratch_[place.slot * n], 0};
+  /// Coefficients k .. k + orders - 1 (orders: 1 or 2) of every operation, in one block.
+  void run(std::size_t block, int k, int orders = 1) {
+    assert(k + orders <= capacity_);
+    const Operand<T>* operands = operands_.data() + block * operands_of_a_block_;
+    for (std::size_t i = 0; i < steps_.size(); ++i) {
+      const Step& step = steps_[i];
+      const int wanted = !step.only_at_order_0 ? orders : k == 0 ? 1 : 0;
+      if (step.coupled) {
+        const Step& other = steps_[++i];
+        for (int n = k; n < k + wanted; ++n) {
+          step.kernel(n, 1, operands);
+          other.kernel(n, 1, operands + step.operands);
+        }
+        operands += step.operands + other.operands;
+      } else {
+        if (wanted > 0) step.kernel(k, wanted, operands);
+        operands += step.operands;
+      }
     }
   }
 
-  void execute(const Instruction& instruction, std::size_t block, int k) {
-    std::array<Operand<T>, 8> operands;
-    for (std::size_t a = 0; a < instruction.operands.size(); ++a)
-      operands[a] = resolve(block, instruction.operands[a]);
-    table_->rule[instruction.rule](k, operands.data());
+  std::size_t bytes() const {
+    return sizeof(T) * (history_.size() + statics_.size() + scratch_.size()) +
+           sizeof(Operand<T>) * operands_.size();
   }
+
+ private:
+  static constexpr std::size_t most_operands = detail::most_operands(Rules{});  // the result among them
+
+  std::size_t scratch_of_a_chunk() const {
+    return 2 * static_cast<std::size_t>(program_.scratches) * lanes();
+  }
+
+  Operand<T> operand(std::size_t block, Place place) {
+    const std::size_t n = lanes();
+    switch (place.space) {
+      case Place::Space::history:
+        return {history_.data() + (block * program_.histories + place.slot) * capacity_ * n, table_->lanes,
+                -1};
+      case Place::Space::statics:
+        return {statics_.data() + (block * program_.statics + place.slot) * n, 0, 0};
+      default:
+        return {scratch_.data() + block / blocks_of_a_chunk * scratch_of_a_chunk() + 2 * place.slot * n,
+                table_->lanes, 1};
+    }
+  }
+
+  /// An instruction as it is run.
+  struct Step {
+    Kernel<T> kernel;
+    int operands;
+    bool only_at_order_0, coupled;
+  };
 
   Program program_;
   const KernelTable<T>* table_;
   std::size_t count_;
   int capacity_ = 0;
+  std::vector<Step> steps_;
+  std::vector<Operand<T>> operands_;  // [block][step][operand], for the present capacity
+  std::size_t operands_of_a_block_ = 0;
   AlignedVector<T> history_, statics_, scratch_;
 };
 

@@ -13,9 +13,9 @@
 
 namespace jetlag {
 
-/// What a tape reads from the scene.
+/// What a tape reads from the scene. A separation is the position of `participant` minus that of the other of two.
 struct Input {
-  enum class Kind { position, velocity, time } kind;
+  enum class Kind { position, velocity, time, separation } kind;
   int participant;  // 0 for time
   int component;    // 0 for time
   friend bool operator==(const Input&, const Input&) = default;
