@@ -5,6 +5,8 @@
 #include <bit>
 #include <cstdint>
 
+#include "jetlag/tape/fusion.hpp"
+
 namespace jetlag {
 
 int Recording::append(Node node) {
@@ -75,7 +77,7 @@ Tape Recording::finish(const std::vector<Recorded>& outputs) {
   if (!tape_.is_static())
     for (int& output : tape_.outputs)
       if (tape_.nodes[output].is_static) output = operation(rule_id<Embed>, {output}, false).node();
-  return pruned(tape_);
+  return fused(pruned(tape_));
 }
 
 namespace {

@@ -145,18 +145,17 @@ TEST(RecordedSpring, KeepsFiveHistories) {  // three differences, the length, th
   EXPECT_EQ(Program(record_law<Spring>(2).force).histories, 4);
 }
 
-TEST(RecordedSpring, ReadsPositionsOnly) {
+TEST(RecordedSpring, ReadsTheSeparationOnly) {
   const Tape tape = record_law<Spring>(3).force;
-  EXPECT_EQ(inputs(tape), 6);
+  EXPECT_EQ(inputs(tape), 3);
   for (const Node& node : tape.nodes) {
     if (node.kind == Node::Kind::input) {
-      EXPECT_EQ(node.input.kind, Input::Kind::position);
+      EXPECT_EQ(node.input.kind, Input::Kind::separation);
     }
   }
-  EXPECT_THAT(operations(tape), UnorderedElementsAre("subtract", "subtract", "subtract",          // d
-                                                     "square", "square", "square", "add", "add",  // |d|^2
-                                                     "sqrt", "[negate]", "offset", "scale",  // k (|d| - L)
-                                                     "divide", "multiply", "multiply", "multiply"));
+  EXPECT_THAT(operations(tape),
+              UnorderedElementsAre("squared norm of 3", "sqrt", "[negate]", "offset", "scale",  // k (|d| - L)
+                                   "divide", "multiply", "multiply", "multiply"));
 }
 
 TEST(RecordedDrag, KeepsNoHistory) {

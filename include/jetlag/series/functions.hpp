@@ -11,6 +11,7 @@
 #include "jetlag/series/power.hpp"
 #include "jetlag/series/sin_cos.hpp"
 #include "jetlag/series/sqrt.hpp"
+#include "jetlag/series/sums.hpp"
 
 namespace jetlag {
 
@@ -30,6 +31,12 @@ using Rules = RuleList<Embed,             //
                        Divide,            //
                        DivideByConstant,  //
                        Reciprocal,        //
+                       Sum<3>,            //
+                       Sum<4>,            //
+                       SquaredNorm<2>,    //
+                       SquaredNorm<3>,    //
+                       Dot<2>,            //
+                       Dot<3>,            //
                        Sqrt,              //
                        Power,             //
                        Exp,               //

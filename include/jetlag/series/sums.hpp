@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Sums, dot products and squared norms of n components as one operation each: what a chain of sums and products
+// becomes on a tape (tape/fusion.hpp).
+
+#include <tuple>
+#include <utility>
+
+#include "jetlag/series/rule.hpp"
+
+namespace jetlag {
+
+namespace detail {
+/// The declaration of a rule that reads n operands alike, and nothing of its own result.
+template <int n>
+consteval std::array<Reads, n + 1> reads_alike(Reads reads) {
+  std::array<Reads, n + 1> all;
+  all.fill(reads);
+  all[n] = Reads::nothing;
+  return all;
+}
+
+/// f(0) + f(1) + ... + f(n-1), for numbers or for two orders at once.
+template <int n>
+auto added(const auto& f) {
+  return [&]<std::size_t... I>(std::index_sequence<I...>) {
+    auto sum = f(std::integral_constant<std::size_t, 0>{});
+    const auto add = [&](const auto& term) {
+      if constexpr (requires { sum + term; }) {
+        sum = sum + term;
+      } else {
+        sum[0] = sum[0] + term[0];
+        sum[1] = sum[1] + term[1];
+      }
+    };
+    (add(f(std::integral_constant<std::size_t, I + 1>{})), ...);
+    return sum;
+  }(std::make_index_sequence<n - 1>{});
+}
+
+inline constexpr const char* of_components(const char* const (&names)[3], int n) { return names[n - 2]; }
+}  // namespace detail
+
+/// w = u_1 + ... + u_n.
+template <int n>
+struct Sum {
+  static constexpr const char* name = detail::of_components({"sum of 2", "sum of 3", "sum of 4"}, n);
+  static constexpr std::array reads = detail::reads_alike<n>(Reads::newest);
+  static auto coefficient(int k, const auto&... u) {
+    const auto all = std::tie(u...);
+    return detail::added<n>([&](auto i) { return std::get<i>(all)[k]; });
+  }
+};
+
+/// w = u_1^2 + ... + u_n^2, each square as in Square.
+template <int n>
+struct SquaredNorm {
+  static constexpr const char* name =
+      detail::of_components({"squared norm of 2", "squared norm of 3", "squared norm of 4"}, n);
+  static constexpr std::array reads = detail::reads_alike<n>(Reads::history);
+  static auto coefficient(int k, const auto&... u) {
+    const auto all = std::tie(u...);
+    return detail::added<n>([&](auto i) { return symmetric_convolution(k, 0, std::get<i>(all)); });
+  }
+  static constexpr int two_from = 0;
+  static auto two_coefficients(int k, const auto&... u) {
+    const auto all = std::tie(u...);
+    return detail::added<n>([&](auto i) { return two_symmetric_convolutions(k, std::get<i>(all)); });
+  }
+};
+
+/// w = u_1 v_1 + ... + u_n v_n, each product as in Multiply. Operands: u_1, v_1, u_2, v_2, ...
+template <int n>
+struct Dot {
+  static constexpr const char* name = detail::of_components({"dot of 2", "dot of 3", "dot of 4"}, n);
+  static constexpr std::array reads = detail::reads_alike<2 * n>(Reads::history);
+  static auto coefficient(int k, const auto&... u) {
+    const auto all = std::tie(u...);
+    return detail::added<n>(
+        [&](auto i) { return convolution(k, 0, k, std::get<2 * i>(all), std::get<2 * i + 1>(all)); });
+  }
+  static constexpr int two_from = 0;
+  static auto two_coefficients(int k, const auto&... u) {
+    const auto all = std::tie(u...);
+    return detail::added<n>(
+        [&](auto i) { return two_convolutions(k, std::get<2 * i>(all), std::get<2 * i + 1>(all)); });
+  }
+};
+
+}  // namespace jetlag
