@@ -1,7 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "jetlag/motion/particle_order.hpp"
 
+#include <cstdlib>
+
 namespace jetlag::detail {
+
+namespace {
+/// How far apart the ends of an edge are, on average.
+double mean_distance(const std::vector<int>& edges, const std::vector<int>& rank) {
+  double sum = 0;
+  for (std::size_t e = 0; e < edges.size(); e += 2) sum += std::abs(rank[edges[e]] - rank[edges[e + 1]]);
+  return sum / std::max<double>(1, edges.size() / 2);
+}
+}  // namespace
 
 std::vector<int> cuthill_mckee(int vertices, const std::vector<int>& edges) {
   std::vector<int> first(vertices + 1, 0), neighbour(edges.size());
@@ -17,8 +28,9 @@ std::vector<int> cuthill_mckee(int vertices, const std::vector<int>& edges) {
   for (int v = 0; v < vertices; ++v)
     std::sort(neighbour.begin() + first[v], neighbour.begin() + first[v + 1], by_degree);
 
-  std::vector<int> starts(vertices), rank(vertices, -1), queue;
-  std::iota(starts.begin(), starts.end(), 0);
+  std::vector<int> given(vertices);
+  std::iota(given.begin(), given.end(), 0);
+  std::vector<int> starts = given, rank(vertices, -1), queue;
   std::sort(starts.begin(), starts.end(), by_degree);
   queue.reserve(vertices);
   for (int start : starts) {
@@ -32,7 +44,7 @@ std::vector<int> cuthill_mckee(int vertices, const std::vector<int>& edges) {
           queue.push_back(v);
         }
   }
-  return rank;
+  return mean_distance(edges, rank) < 0.5 * mean_distance(edges, given) ? rank : given;
 }
 
 }  // namespace jetlag::detail

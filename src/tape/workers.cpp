@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "jetlag/tape/workers.hpp"
 
+#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
 namespace jetlag {
 
 struct Workers::Arena {
-  explicit Arena(int threads) : tbb(threads) {}
+  // More threads than the machine has would gain nothing, and oneTBB would say so on the terminal.
+  explicit Arena(int threads) : tbb(std::min(threads, oneapi::tbb::info::default_concurrency())) {}
   oneapi::tbb::task_arena tbb;
 };
 

@@ -66,26 +66,26 @@ class ElementBlocks {
   }
 
   /// Each chunk pushes rows of its own from now on; `collect` adds them up. For all laws of a system, or for none.
-  void push_apart(int particles) {
+  /// Returns the particles that each chunk touches.
+  std::vector<std::vector<int>> push_apart(int particles) {
     const int lanes = blocks_.lanes(), stride = padded(dimension_);
+    std::vector<std::vector<int>> touched(blocks_.chunks()), rows_of(particles);
+    std::vector<int> own(particles, -1);
     first_own_row_.assign(1, 0);
-    std::vector<int> own(particles, -1), touched;
-    std::vector<std::vector<int>> rows_of(particles);
     int rows = 0;
     for (std::size_t chunk = 0; chunk < blocks_.chunks(); ++chunk) {
-      touched.clear();
       const std::size_t begin = first_block(chunk) * participants_ * lanes,
                         end = first_block(chunk + 1) * participants_ * lanes;
       for (std::size_t r = begin; r < end; ++r) {
-        int& mine = own[row_[r] / stride];
-        if (mine < 0) {
-          touched.push_back(row_[r] / stride);
-          rows_of[touched.back()].push_back(rows);
-          mine = rows++;
+        const int particle = row_[r] / stride;
+        if (own[particle] < 0) {
+          touched[chunk].push_back(particle);
+          rows_of[particle].push_back(rows);
+          own[particle] = rows++;
         }
-        pushed_row_[r] = (mine - first_own_row_.back()) * stride;
+        pushed_row_[r] = (own[particle] - first_own_row_.back()) * stride;
       }
-      for (int particle : touched) own[particle] = -1;
+      for (int particle : touched[chunk]) own[particle] = -1;
       first_own_row_.push_back(rows);
     }
     first_of_particle_.assign(1, 0);
@@ -94,6 +94,7 @@ class ElementBlocks {
       first_of_particle_.push_back(static_cast<int>(own_rows_.size()));
     }
     pushed_.resize(2 * static_cast<std::size_t>(rows) * stride);
+    return touched;
   }
 
   void reserve(int capacity) { blocks_.reserve(capacity); }
@@ -137,17 +138,14 @@ class ElementBlocks {
     }
   }
 
-  /// Adds what the chunks have pushed onto particles first .. last - 1: orders k .. k + orders - 1, as in `push`.
-  void collect(int first, int last, int k, int orders, T* force, std::size_t next_order) const {
+  /// Adds what the chunks have pushed onto a particle: orders k .. k + orders - 1, as in `push`.
+  void collect(int particle, int k, int orders, T* force, std::size_t next_order) const {
     const int stride = padded(dimension_);
     for (int n = 0; n < running(k, orders); ++n) {
       const T* pushed = pushed_.data() + n * (pushed_.size() / 2);
-      T* to = force + n * next_order;
-      for (int i = first; i < last; ++i)
-        for (int e = first_of_particle_[i]; e < first_of_particle_[i + 1]; ++e)
-          for (int c = 0; c < stride; ++c)
-            to[static_cast<std::size_t>(i) * stride + c] +=
-                pushed[static_cast<std::size_t>(own_rows_[e]) * stride + c];
+      T* to = force + n * next_order + static_cast<std::size_t>(particle) * stride;
+      for (int e = first_of_particle_[particle]; e < first_of_particle_[particle + 1]; ++e)
+        for (int c = 0; c < stride; ++c) to[c] += pushed[static_cast<std::size_t>(own_rows_[e]) * stride + c];
     }
   }
 

@@ -22,6 +22,7 @@
 #include "jetlag/motion/element_blocks.hpp"
 #include "jetlag/motion/particle_order.hpp"
 #include "jetlag/motion/system.hpp"
+#include "jetlag/motion/wavefront.hpp"
 #include "jetlag/tape/workers.hpp"
 
 namespace jetlag {
@@ -49,11 +50,7 @@ class Expansion {
       ElementBlocks<T> blocks(system, elements, elements.law.force, table, rank);
       (blocks.reads_velocity() ? with_velocity_ : without_velocity_).push_back(std::move(blocks));
     }
-    for (const auto* laws : {&without_velocity_, &with_velocity_})
-      for (const auto& blocks : *laws) apart_ = apart_ || blocks.chunks() > 1;
-    if (apart_)
-      for (auto* laws : {&without_velocity_, &with_velocity_})
-        for (auto& blocks : *laws) blocks.push_apart(particles_);
+    push_apart_if_large();
     reserve(std::max(expected_degree, 2));
   }
 
@@ -82,9 +79,11 @@ class Expansion {
   int dimension() const { return dimension_; }
 
   /// One more order.
-  void grow() { grow_by(1); }
+  void grow() { grow_to(order_ + 1); }
 
   void grow_to(int order) {
+    if (order > capacity_) reserve(std::max(2 * capacity_, order));
+    if (wavefront_) return sweep_to(order);
     while (order_ < order) grow_by(order_ + 1 < order ? 2 : 1);
   }
 
@@ -105,90 +104,112 @@ class Expansion {
   }
 
  private:
-  static constexpr int particles_of_a_task = 1024;
-
   std::size_t row_size() const { return static_cast<std::size_t>(particles_) * stride_; }
   T* at(AlignedVector<T>& series, int k) { return series.data() + k * row_size(); }
   CoefficientView<T> view(const AlignedVector<T>& series, int k) const {
     assert(0 <= k && k <= order_);
     return {series.data() + k * row_size(), particles_, dimension_, Eigen::OuterStride<>(stride_)};
   }
-
-  /// One or two orders more. The rows of the new positions hold the forces until they are complete.
-  void grow_by(int orders) {
-    if (order_ + orders > capacity_) reserve(std::max(2 * capacity_, order_ + orders));
-    const int k = order_ - 1;
-    push(without_velocity_, k, orders);
-    if (with_velocity_.empty()) {
-      each_range([&](int first, int last) {
-        collect(without_velocity_, first, last, k, orders);
-        for (int n = 0; n < orders; ++n) accelerate(first, last, k + n);
-      });
-    } else {
-      each_range([&](int first, int last) { collect(without_velocity_, first, last, k, orders); });
-      for (int n = 0; n < orders; ++n) {
-        push(with_velocity_, k + n, 1);
-        each_range([&](int first, int last) {
-          if (apart_) collect(with_velocity_, first, last, k + n, 1);
-          accelerate(first, last, k + n);
-        });
-      }
-    }
-    order_ += orders;
+  MotionRows<T> motion(int k) {
+    return {at(x_, k), at(v_, k), row_size(), time_, rest_.empty() ? nullptr : rest_.data()};
   }
-
-  /// f(first, last) for ranges of particles, all together all particles.
-  template <class F>
-  void each_range(const F& f) {
-    const std::size_t tasks = (particles_ + particles_of_a_task - 1) / particles_of_a_task;
-    workers_.each(tasks, [&](std::size_t i) {
-      const int first = static_cast<int>(i) * particles_of_a_task;
-      f(first, std::min(first + particles_of_a_task, particles_));
-    });
-  }
-
-  /// Coefficients k .. k + orders - 1 of the forces of some laws: into the rows of the new positions, or apart.
-  void push(std::vector<ElementBlocks<T>>& laws, int k, int orders) {
-    const MotionRows<T> motion{at(x_, k), at(v_, k), row_size(), time_,
-                               rest_.empty() ? nullptr : rest_.data()};
-    if (!apart_ && &laws == &without_velocity_) std::fill_n(at(x_, k + 2), orders * row_size(), T(0));
-    std::size_t tasks = 0;
-    for (const auto& blocks : laws) {
-      if (apart_ && blocks.running(k, orders) > 0) tasks += blocks.chunks();
-      element_coefficients_ += blocks.count() * blocks.running(k, orders);
-    }
-    if (!apart_) {
-      for (auto& blocks : laws)
-        if (blocks.running(k, orders) > 0) blocks.push(0, k, orders, motion, at(x_, k + 2));
-      return;
-    }
-    workers_.each(tasks, [&](std::size_t chunk) {
-      for (auto& blocks : laws) {
-        if (blocks.running(k, orders) == 0) continue;
-        if (chunk < blocks.chunks()) return blocks.push(chunk, k, orders, motion, nullptr);
-        chunk -= blocks.chunks();
-      }
-    });
-  }
-
-  /// Adds up what was pushed apart onto a range of particles; the first laws begin from zero.
-  void collect(const std::vector<ElementBlocks<T>>& laws, int first, int last, int k, int orders) {
-    if (!apart_) return;
-    if (&laws == &without_velocity_)
-      for (int n = 0; n < orders; ++n)
-        std::fill(at(x_, k + 2 + n) + first * stride_, at(x_, k + 2 + n) + last * stride_, T(0));
-    for (const auto& blocks : laws) blocks.collect(first, last, k, orders, at(x_, k + 2), row_size());
+  void count(const std::vector<ElementBlocks<T>>& laws, int k, int orders) {
+    for (const auto& blocks : laws) element_coefficients_ += blocks.count() * blocks.running(k, orders);
   }
 
   /// From coefficient k of the forces, in the rows of the new positions, to x_{k+2} and v_{k+1}.
-  void accelerate(int first, int last, int k) {
+  void accelerate(std::size_t first, std::size_t last, int k) {
     T *x = at(x_, k + 2), *v = at(v_, k + 1);
     const T of_velocity = T(1) / T(k + 1), of_position = T(1) / T((k + 1) * (k + 2));
-    for (int i = first * stride_; i < last * stride_; ++i) {
+    for (std::size_t i = first; i < last; ++i) {
       const T acceleration = x[i] * inverse_mass_[i];
       v[i] = acceleration * of_velocity;
       x[i] = acceleration * of_position;
     }
+  }
+
+  /// One or two orders more. The rows of the new positions hold the forces until they are complete.
+  void grow_by(int orders) {
+    const int k = order_ - 1;
+    std::fill_n(at(x_, k + 2), orders * row_size(), T(0));
+    for (auto& blocks : without_velocity_)
+      if (blocks.running(k, orders) > 0) blocks.push(0, k, orders, motion(k), at(x_, k + 2));
+    for (int n = k; n < k + orders; ++n) {
+      for (auto& blocks : with_velocity_)
+        if (blocks.running(n, 1) > 0) blocks.push(0, n, 1, motion(n), at(x_, n + 2));
+      accelerate(0, row_size(), n);
+    }
+    count(without_velocity_, k, orders);
+    count(with_velocity_, k, orders);
+    order_ += orders;
+  }
+
+  // ---- large scenes: chunk by chunk ------------------------------------------------------------------------
+
+  struct Chunk {
+    ElementBlocks<T>* blocks;
+    std::size_t number;
+    std::vector<int> last_of;  // the particles that no later chunk touches
+  };
+
+  /// Where one law needs more than one chunk, all laws push chunk by chunk, in the order of the particles they touch.
+  void push_apart_if_large() {
+    bool large = false;
+    for (const auto* laws : {&without_velocity_, &with_velocity_})
+      for (const auto& blocks : *laws) large = large || blocks.chunks() > 1;
+    if (!large) return;
+    std::vector<std::pair<Chunk, std::vector<int>>> all;
+    for (auto* laws : {&without_velocity_, &with_velocity_})
+      for (auto& blocks : *laws) {
+        auto touched = blocks.push_apart(particles_);
+        for (std::size_t c = 0; c < touched.size(); ++c)
+          all.push_back({{&blocks, c, {}}, std::move(touched[c])});
+      }
+    const auto highest = [](const auto& chunk) { return *std::ranges::max_element(chunk.second); };
+    std::ranges::stable_sort(all, {}, highest);
+    std::vector<std::size_t> last(particles_, 0), needed;
+    for (std::size_t c = 0; c < all.size(); ++c)
+      for (int particle : all[c].second) last[particle] = c;
+    for (int i = 0; i < particles_; ++i) all[last[i]].first.last_of.push_back(i);
+    for (auto& [chunk, touched] : all) {
+      std::size_t latest = 0;
+      for (int particle : touched) latest = std::max(latest, last[particle]);
+      needed.push_back(latest);
+      chunks_.push_back(std::move(chunk));
+    }
+    wavefront_ = std::make_unique<Wavefront>(std::move(needed));
+  }
+
+  /// Grows to an order in passes of two orders, or of one where a force depends on velocities.
+  void sweep_to(int order) {
+    const int step = with_velocity_.empty() ? 2 : 1, first = order_ - 1, orders = order - order_;
+    if (orders <= 0) return;
+    const auto of_pass = [&](std::size_t pass) {
+      const int done = static_cast<int>(pass) * step;
+      return std::pair(first + done, std::min(step, orders - done));
+    };
+    (*wavefront_)((orders + step - 1) / step, workers_,
+                  [&](std::size_t c, std::size_t pass) {
+                    const auto [k, n] = of_pass(pass);
+                    if (chunks_[c].blocks->running(k, n) > 0)
+                      chunks_[c].blocks->push(chunks_[c].number, k, n, motion(k), nullptr);
+                  },
+                  [&](std::size_t c, std::size_t pass) {
+                    const auto [k, n] = of_pass(pass);
+                    for (int particle : chunks_[c].last_of) complete(particle, k, n);
+                  });
+    count(without_velocity_, first, orders);
+    count(with_velocity_, first, orders);
+    order_ = order;
+  }
+
+  /// Adds up what the chunks have pushed onto a particle.
+  void complete(int particle, int k, int orders) {
+    const std::size_t row = static_cast<std::size_t>(particle) * stride_;
+    for (int n = k; n < k + orders; ++n) std::fill_n(at(x_, n + 2) + row, stride_, T(0));
+    for (const auto* laws : {&without_velocity_, &with_velocity_})
+      for (const auto& blocks : *laws) blocks.collect(particle, k, orders, at(x_, k + 2), row_size());
+    for (int n = k; n < k + orders; ++n) accelerate(row, row + stride_, n);
   }
 
   void reserve(int degree) {
@@ -203,7 +224,8 @@ class Expansion {
   Workers workers_;
   std::vector<T> inverse_mass_;  // one a padded component; 0 for fixed particles
   std::vector<ElementBlocks<T>> without_velocity_, with_velocity_;
-  bool apart_ = false;  // chunks push rows of their own
+  std::vector<Chunk> chunks_;             // of large scenes
+  std::unique_ptr<Wavefront> wavefront_;  // over the chunks; null for small scenes
   T time_{};
   int order_ = 1, capacity_ = 0;
   AlignedVector<T> x_, v_;  // [order][particle][padded component]

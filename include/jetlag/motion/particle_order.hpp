@@ -12,7 +12,8 @@
 namespace jetlag {
 
 /// The rank of each particle in the order of Cuthill and McKee (1969): breadth first over the graph of the elements of
-/// two particles, from a particle of least degree, neighbours by degree; ties by index. Shape (particles).
+/// two particles, from a particle of least degree, neighbours by degree; ties by index. Shape (particles). The order in
+/// which the particles are given is kept unless the other brings neighbours twice as near: rows are stored as given.
 /// Empty for small systems, for which order does not matter, and for those where every particle meets every other.
 template <class T>
 std::vector<int> particle_order(const System<T>& system);
