@@ -74,13 +74,13 @@ S pow(const S& u, A a) {
 
 /// u^v = exp(v log(u)); a v without terms beyond the first is a number, as above.
 /// Range: u_0 > 0. At u_0 = 0 coefficient 0 is not finite.
-template <class T, int N>
-Jet<T, N> pow(const Jet<T, N>& u, const Jet<T, N>& v) {
-  if (v != Jet<T, N>(v[0])) return exp(v * log(u));
+template <class T, int N, Singularities P>
+Jet<T, N, P> pow(const Jet<T, N, P>& u, const Jet<T, N, P>& v) {
+  if (v != Jet<T, N, P>(v[0])) return exp(v * log(u));
   if constexpr (std::floating_point<T>)
     return pow(u, v[0]);
   else
-    return lift<Power, Jet<T, N>>(v[0], u);
+    return lift<Power, Jet<T, N, P>>(v[0], u);
 }
 
 }  // namespace jetlag
