@@ -29,6 +29,7 @@
 // is a series in t with its derivative by a parameter.
 
 #include <cassert>
+#include <compare>
 #include <concepts>
 #include <initializer_list>
 #include <span>
@@ -133,6 +134,17 @@ class Jet : public detail::Coefficients<T, N> {
         if (!(u[k] == v[k])) return false;
       return true;
     }
+  }
+
+  /// < <= > >= of coefficient 0. A NaN is neither below nor above.
+  friend std::partial_ordering operator<=>(const Jet& u, const Jet& v) {
+    if constexpr (is_jet<T>)
+      return u[0] <=> v[0];
+    else
+      return u[0] < v[0]    ? std::partial_ordering::less
+             : u[0] > v[0]  ? std::partial_ordering::greater
+             : u[0] == v[0] ? std::partial_ordering::equivalent
+                            : std::partial_ordering::unordered;
   }
 
   // ---- arithmetic: hidden friends, so that only jets look at them ----------------------------------------
