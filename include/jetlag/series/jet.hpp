@@ -35,21 +35,17 @@
 #include <span>
 #include <type_traits>
 
-#include "jetlag/series/arithmetic.hpp"
 #include "jetlag/series/coefficients.hpp"
 #include "jetlag/series/lift.hpp"
+#include "jetlag/series/operators.hpp"
 #include "jetlag/series/polynomial.hpp"
 #include "jetlag/series/singular_point.hpp"
 
 namespace jetlag {
 
-/// Numbers that mix with jets of type J.
-template <class X, class J>
-concept ScalarOf = !std::same_as<X, J> && std::convertible_to<X, typename J::value_type>;
-
 /// A jet; P: what it does at a singular point.
 template <class T, int N, Singularities P>
-class Jet : public detail::Coefficients<T, N> {
+class Jet : public detail::Coefficients<T, N>, SeriesOperators<Jet<T, N, P>> {
   using detail::Coefficients<T, N>::c_;
 
  public:
@@ -119,11 +115,6 @@ class Jet : public detail::Coefficients<T, N> {
     return evaluate<Value>(c_, Value(t));
   }
 
-  Jet& operator+=(const Jet& v) { return *this = *this + v; }
-  Jet& operator-=(const Jet& v) { return *this = *this - v; }
-  Jet& operator*=(const Jet& v) { return *this = *this * v; }
-  Jet& operator/=(const Jet& v) { return *this = *this / v; }
-
   /// All coefficients are equal, and as many are known.
   friend bool operator==(const Jet& u, const Jet& v) {
     if constexpr (N != Dynamic) {
@@ -145,49 +136,6 @@ class Jet : public detail::Coefficients<T, N> {
              : u[0] > v[0]  ? std::partial_ordering::greater
              : u[0] == v[0] ? std::partial_ordering::equivalent
                             : std::partial_ordering::unordered;
-  }
-
-  // ---- arithmetic: hidden friends, so that only jets look at them ----------------------------------------
-
-  friend Jet operator+(const Jet& u) { return u; }
-  friend Jet operator-(const Jet& u) { return lift<Negate, Jet>(u); }
-  friend Jet operator+(const Jet& u, const Jet& v) { return lift<Add, Jet>(u, v); }
-  friend Jet operator-(const Jet& u, const Jet& v) { return lift<Subtract, Jet>(u, v); }
-  friend Jet operator*(const Jet& u, const Jet& v) { return lift<Multiply, Jet>(u, v); }
-  friend Jet operator/(const Jet& f, const Jet& g) { return lift<Divide, Jet>(f, g); }
-
-  template <ScalarOf<Jet> X>
-  friend Jet operator+(const Jet& u, const X& c) {
-    return lift<Offset, Jet>(c, u);
-  }
-  template <ScalarOf<Jet> X>
-  friend Jet operator+(const X& c, const Jet& u) {
-    return lift<Offset, Jet>(c, u);
-  }
-  template <ScalarOf<Jet> X>
-  friend Jet operator-(const Jet& u, const X& c) {
-    return lift<Offset, Jet>(-T(c), u);
-  }
-  template <ScalarOf<Jet> X>
-  friend Jet operator-(const X& c, const Jet& u) {
-    return lift<Offset, Jet>(c, -u);
-  }
-  template <ScalarOf<Jet> X>
-  friend Jet operator*(const Jet& u, const X& c) {
-    return lift<Scale, Jet>(c, u);
-  }
-  template <ScalarOf<Jet> X>
-  friend Jet operator*(const X& c, const Jet& u) {
-    return lift<Scale, Jet>(c, u);
-  }
-  template <ScalarOf<Jet> X>
-  friend Jet operator/(const Jet& f, const X& c) {
-    return lift<DivideByConstant, Jet>(f, c);
-  }
-  template <ScalarOf<Jet> X>
-  friend Jet operator/(const X& c, const Jet& g) {
-    if (T(c) == T(0)) return Jet(c) / g;  // 0 / t = 0
-    return lift<Reciprocal, Jet>(c, g);
   }
 };
 

@@ -72,6 +72,15 @@ void apply(J& v, int first, int last, const U&... u) {
   for (int k = first; k <= last; ++k) v[k] = R::coefficient(k, as_operand<J>(u)..., v);
 }
 
+/// Coefficients first .. last of v = A(u, w), w = B(u, v).
+template <Rule A, Rule B, class J>
+void apply_coupled(J& v, J& w, int first, int last, const J& u) {
+  for (int k = first; k <= last; ++k) {
+    v[k] = A::coefficient(k, u, w, v);
+    w[k] = B::coefficient(k, u, v, w);
+  }
+}
+
 /// Coefficients k, k + 1, ... do not exist.
 template <class J>
 void miss(J& v, int k) {
@@ -211,10 +220,7 @@ std::pair<J, J> lift_coupled(const J& u) {
   const int degree = u.is_constant() ? detail::unlimited : u.degree();
   std::pair<J, J> both(detail::zeros<J>(degree), detail::zeros<J>(degree));
   auto& [v, w] = both;
-  for (int k = 0; k <= u.degree(); ++k) {
-    v[k] = A::coefficient(k, u, w, v);
-    w[k] = B::coefficient(k, u, v, w);
-  }
+  detail::apply_coupled<A, B>(v, w, 0, v.degree(), u);
   detail::check<A>(v, 0, v.degree(), u);
   detail::check<B>(w, 0, w.degree(), u);
   return both;
