@@ -47,13 +47,24 @@ void for_each_series(F f, const U&... u) {
 /// A constant is known to any degree.
 inline constexpr int unlimited = std::numeric_limits<int>::max();
 
+template <class J>
+int degree_of(const J& u) {
+  return u.is_constant() ? unlimited : u.degree();
+}
+
+/// The power of t that can be taken out of u: any, if u is the constant 0.
+template <class J>
+int order_of_zero(const J& u) {
+  const int l = valuation(u);
+  return u.is_constant() && l > 0 ? unlimited : l;
+}
+
 /// The degree to which R(u...) can be computed: the smallest of the operands.
 template <Rule R, class J, class... U>
 int common_degree(const U&... u) {
   if constexpr (J::degree_at_compile_time != Dynamic) return J::degree;
   int degree = unlimited;
-  for_each_series<R, J>(
-      [&](const J& x) { degree = std::min(degree, x.is_constant() ? unlimited : x.degree()); }, u...);
+  for_each_series<R, J>([&](const J& x) { degree = std::min(degree, degree_of(x)); }, u...);
   return degree;
 }
 
@@ -101,12 +112,7 @@ void lose(J& v, int k) {
 template <Rule R, class J, class... U>
 int common_power(const U&... u) {
   int l = unlimited;
-  for_each_series<R, J>(
-      [&](const J& x) {
-        const int own = valuation(x);
-        l = std::min(l, x.is_constant() && own > 0 ? unlimited : own);
-      },
-      u...);
+  for_each_series<R, J>([&](const J& x) { l = std::min(l, order_of_zero(x)); }, u...);
   return l;
 }
 
@@ -121,6 +127,13 @@ X divided(const X& u, int l) {
   } else {
     return u;
   }
+}
+
+/// v = t^order g, of which coefficients 0 .. known of g are known. v: zeros.
+template <class J>
+void put(J& v, int order, const J& g, int known) {
+  for (int k = 0; k <= known && order + k <= v.degree(); ++k) v[order + k] = g[k];
+  lose(v, order + known + 1);
 }
 
 /// v = R(u...) where t^l, l > 0, is common to u... (see valuation.hpp); as compute() below.
@@ -151,8 +164,7 @@ int apply_to_common_power(J& v, int l, const U&... u) {
     miss(v, std::min(order, 1));
     return degree;
   }
-  for (int k = 0; k <= degree - l && order + k <= degree; ++k) v[order + k] = reduced[k];
-  lose(v, order + degree - l + 1);
+  put(v, order, reduced, degree - l);
   return order + degree - l;
 }
 
@@ -164,6 +176,24 @@ int compute(J& v, const U&... u) {
     if (const int l = common_power<R, J>(u...); l > 0) return apply_to_common_power<R>(v, l, u...);
   apply<R>(v, 0, v.degree(), u...);
   return v.degree();
+}
+
+/// f(u, v) for a function f(t u, t v) = t^a f(u, v), a = 0 or 1, that is made of several rules. Series that are no
+/// jets are not looked at.
+template <int a, class S, class F>
+S without_common_power(F f, const S& u, const S& v) {
+  if constexpr (is_jet<S>) {
+    const int l = std::min(order_of_zero(u), order_of_zero(v)), degree = std::min(degree_of(u), degree_of(v));
+    if (l > 0) {
+      S w = zeros<S>(degree);
+      if (l <= w.degree())
+        put(w, a * l, f(divided<S>(u, l), divided<S>(v, l)), w.degree() - l);
+      else if (a == 0)
+        miss(w, 0);
+      return w;
+    }
+  }
+  return f(u, v);
 }
 
 /// "u_0 = 0, c = 1.5"

@@ -25,8 +25,6 @@ struct Divide;
 struct Sqrt;
 struct Cbrt;
 struct Power;
-struct Hypot;
-struct Atan2;
 
 /// Smallest k with u_k != 0; for the zero series one more than its degree.
 template <class T, int N, Singularities P>
@@ -85,13 +83,6 @@ template <>
 struct Homogeneity<Divide> {
   static constexpr bool holds = true;
   static std::optional<PowerOfT> power(int, const auto&...) { return PowerOfT{0, true}; }
-};
-template <>
-struct Homogeneity<Atan2> : Homogeneity<Divide> {};
-template <>
-struct Homogeneity<Hypot> {
-  static constexpr bool holds = true;
-  static std::optional<PowerOfT> power(int l, const auto&...) { return PowerOfT{l, true}; }
 };
 template <>
 struct Homogeneity<Sqrt> {
