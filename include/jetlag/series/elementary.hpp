@@ -6,6 +6,7 @@
 #include <cmath>
 #include <concepts>
 
+#include "jetlag/series/checked.hpp"
 #include "jetlag/series/constants.hpp"
 #include "jetlag/series/functions.hpp"
 #include "jetlag/series/jet.hpp"

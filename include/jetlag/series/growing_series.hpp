@@ -87,6 +87,7 @@ struct RuleNode : Growing<T> {
     return std::apply(
         [&](const auto&... u) {
           (prepare(u, k), ...);
+          if (k > 0 && !has_value(this->c[0])) return not_a_number<T>();  // as for jets
           return T(R::coefficient(k, u..., this->c));
         },
         operands);

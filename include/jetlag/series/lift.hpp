@@ -77,10 +77,18 @@ J zeros(int degree) {
   return v;
 }
 
-/// Coefficients first .. last of v = R(u...).
+/// Coefficients k, k + 1, ... do not exist.
+template <class J>
+void miss(J& v, int k) {
+  for (; k <= v.degree(); ++k) v[k] = not_a_number<typename J::value_type>();
+}
+
+/// Coefficients first .. last of v = R(u...). Without a value there are no derivatives either: the rule for log(u)
+/// would give u_1 / u_0 also below 0.
 template <Rule R, class J, class... U>
 void apply(J& v, int first, int last, const U&... u) {
   for (int k = first; k <= last; ++k) v[k] = R::coefficient(k, as_operand<J>(u)..., v);
+  if (!has_value(v[0])) miss(v, std::max(first, 1));
 }
 
 /// Coefficients first .. last of v = A(u, w), w = B(u, v).
@@ -90,12 +98,6 @@ void apply_coupled(J& v, J& w, int first, int last, const J& u) {
     v[k] = A::coefficient(k, u, w, v);
     w[k] = B::coefficient(k, u, v, w);
   }
-}
-
-/// Coefficients k, k + 1, ... do not exist.
-template <class J>
-void miss(J& v, int k) {
-  for (; k <= v.degree(); ++k) v[k] = not_a_number<typename J::value_type>();
 }
 
 /// Coefficients k, k + 1, ... cannot be known: v loses them, or if its degree is fixed they are NaN.
@@ -197,7 +199,7 @@ S without_common_power(F f, const S& u, const S& v) {
 }
 
 /// "u_0 = 0, c = 1.5"
-template <Rule R, class J, class... U>
+template <class J, class... U>
 std::string describe(const U&... u) {
   std::string all;
   char name = 'u';
@@ -223,7 +225,7 @@ void check(const J& v, int first, int last, const U&... u) {
     };
     for (int k = first; k <= std::min(last, v.degree()); ++k)
       if (!is_finite(v[k])) {
-        if ((known(as_operand<J>(u), k) && ...)) throw SingularPoint(R::name, k, describe<R, J>(u...));
+        if ((known(as_operand<J>(u), k) && ...)) throw SingularPoint(R::name, k, describe<J>(u...));
         return;
       }
   }

@@ -50,6 +50,15 @@ bool is_finite(const T& x) {
     return true;
 }
 
+/// Whether x, or coefficient 0 of it, is finite.
+template <class T>
+bool has_value(const T& x) {
+  if constexpr (is_jet<T>)
+    return has_value(x[0]);
+  else
+    return is_finite(x);
+}
+
 /// What stands for a coefficient that the known ones do not determine.
 /// Throws std::domain_error for a type without such a number (rationals).
 template <class T>
