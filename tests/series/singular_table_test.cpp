@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "jetlag/series/elementary.hpp"
+#include "jetlag/series/comparisons.hpp"
 #include "support/close.hpp"
 
 namespace jetlag::testing {
@@ -214,6 +214,21 @@ TYPED_TEST(SingularTable, InverseFunctionsAtTheEndsOfTheirRange) {
   this->ends([&] { return acosh(0.5 + t); }, {}, "acosh: coefficient 0 does not exist at u_0 = 0.5");
   this->ends([&] { return atanh(2.0 + t); }, {}, "atanh: coefficient 0 does not exist at u_0 = 2");
   this->ends([&] { return atanh(1.0 - t); }, {}, "atanh: coefficient 0 does not exist at u_0 = 1");
+}
+
+TYPED_TEST(SingularTable, KinksOfTheAbsoluteValue) {
+  const auto& t = this->t;
+  const TypeParam zero = 0.0 * t;
+  this->ends([&] { return abs(t); }, {0}, "abs: coefficient 1 does not exist at u_0 = 0");
+  this->ends([&] { return abs(t * t * t); }, {0, 0, 0}, "abs: coefficient 3 does not exist at u_0 = 0");
+  this->complete(abs(t * t), {0, 0, 1, 0, 0});
+  this->complete(abs(t * t * t - t * t), {0, 0, 1, -1, 0});
+  this->complete(abs(t - 1.0), {1, -1, 0, 0, 0});
+  this->complete(abs(zero), {0, 0, 0, 0, 0});
+  this->ends([&] { return max(t, zero); }, {0}, "max: coefficient 1 does not exist at u_0 = 0, v_0 = 0");
+  this->ends([&] { return min(t, 0.0); }, {0}, "min: coefficient 1 does not exist at u_0 = 0, v_0 = 0");
+  this->complete(max(1.0 + t, 1.0 + t + t * t), {1, 1, 1, 0, 0});
+  this->complete(min(1.0 + t, 2.0), {1, 1, 0, 0, 0});
 }
 
 TYPED_TEST(SingularTable, WhatIsComputedFromAMissingCoefficientIsMissing) {
