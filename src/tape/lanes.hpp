@@ -9,6 +9,7 @@
 #include <immintrin.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "jetlag/tape/kernels.hpp"
 
@@ -155,39 +156,6 @@ inline Lanes<n> sqrt(const Lanes<n>& a) {
   return each_register<n>([&](int i) { return root(a.r[i]); });
 }
 
-/// f lane by lane, for the functions that the instruction set lacks; they are needed at order 0 only.
-template <int n, class F>
-inline Lanes<n> each_lane(const Lanes<n>& a, F f) {
-  alignas(64) double x[Lanes<n>::width];
-  Lanes<n>::store(x, a);
-  for (double& v : x) v = f(v);
-  return Lanes<n>::load(x);
-}
-template <int n>
-inline Lanes<n> exp(const Lanes<n>& a) {
-  return each_lane(a, [](double x) { return ::exp(x); });
-}
-template <int n>
-inline Lanes<n> log(const Lanes<n>& a) {
-  return each_lane(a, [](double x) { return ::log(x); });
-}
-template <int n>
-inline Lanes<n> sin(const Lanes<n>& a) {
-  return each_lane(a, [](double x) { return ::sin(x); });
-}
-template <int n>
-inline Lanes<n> cos(const Lanes<n>& a) {
-  return each_lane(a, [](double x) { return ::cos(x); });
-}
-template <int n>
-inline Lanes<n> pow(const Lanes<n>& a, const Lanes<n>& b) {
-  alignas(64) double x[Lanes<n>::width], y[Lanes<n>::width];
-  Lanes<n>::store(x, a);
-  Lanes<n>::store(y, b);
-  for (int i = 0; i < Lanes<n>::width; ++i) x[i] = ::pow(x[i], y[i]);
-  return Lanes<n>::load(x);
-}
-
 /// One number, compiled for this instruction set: for scenes with a single element.
 struct One {
   static constexpr int width = 1;
@@ -207,15 +175,163 @@ inline One operator*(double x, One a) { return One(x * a.x); }
 inline One operator-(One a, double x) { return One(a.x - x); }
 inline One operator/(One a, double x) { return One(a.x / x); }
 inline One sqrt(One a) { return One(::sqrt(a.x)); }
-template <class F>
-inline One each_lane(One a, F f) {
-  return One(f(a.x));
+
+/// f lane by lane, for the functions that the instruction set lacks; they are needed at order 0 only.
+template <int n>
+[[gnu::noinline]] Lanes<n> each_lane(const Lanes<n>& a, double (*f)(double)) {
+  alignas(64) double x[Lanes<n>::width];
+  Lanes<n>::store(x, a);
+  for (double& v : x) v = f(v);
+  return Lanes<n>::load(x);
 }
-inline One exp(One a) { return One(::exp(a.x)); }
-inline One log(One a) { return One(::log(a.x)); }
-inline One sin(One a) { return One(::sin(a.x)); }
-inline One cos(One a) { return One(::cos(a.x)); }
-inline One pow(One a, One b) { return One(::pow(a.x, b.x)); }
+template <int n>
+[[gnu::noinline]] Lanes<n> each_lane(const Lanes<n>& a, const Lanes<n>& b, double (*f)(double, double)) {
+  alignas(64) double x[Lanes<n>::width], y[Lanes<n>::width];
+  Lanes<n>::store(x, a);
+  Lanes<n>::store(y, b);
+  for (int i = 0; i < Lanes<n>::width; ++i) x[i] = f(x[i], y[i]);
+  return Lanes<n>::load(x);
+}
+inline One each_lane(One a, double (*f)(double)) { return One(f(a.x)); }
+inline One each_lane(One a, One b, double (*f)(double, double)) { return One(f(a.x, b.x)); }
+
+template <class L>
+concept AnyLane = requires(const L& a, double (*f)(double)) { each_lane(a, f); };
+template <AnyLane L>
+inline L cbrt(const L& a) {
+  return each_lane(a, ::cbrt);
+}
+template <AnyLane L>
+inline L exp(const L& a) {
+  return each_lane(a, ::exp);
+}
+template <AnyLane L>
+inline L expm1(const L& a) {
+  return each_lane(a, ::expm1);
+}
+template <AnyLane L>
+inline L log(const L& a) {
+  return each_lane(a, ::log);
+}
+template <AnyLane L>
+inline L log1p(const L& a) {
+  return each_lane(a, ::log1p);
+}
+template <AnyLane L>
+inline L log2(const L& a) {
+  return each_lane(a, ::log2);
+}
+template <AnyLane L>
+inline L log10(const L& a) {
+  return each_lane(a, ::log10);
+}
+template <AnyLane L>
+inline L sin(const L& a) {
+  return each_lane(a, ::sin);
+}
+template <AnyLane L>
+inline L cos(const L& a) {
+  return each_lane(a, ::cos);
+}
+template <AnyLane L>
+inline L tan(const L& a) {
+  return each_lane(a, ::tan);
+}
+template <AnyLane L>
+inline L asin(const L& a) {
+  return each_lane(a, ::asin);
+}
+template <AnyLane L>
+inline L acos(const L& a) {
+  return each_lane(a, ::acos);
+}
+template <AnyLane L>
+inline L atan(const L& a) {
+  return each_lane(a, ::atan);
+}
+template <AnyLane L>
+inline L sinh(const L& a) {
+  return each_lane(a, ::sinh);
+}
+template <AnyLane L>
+inline L cosh(const L& a) {
+  return each_lane(a, ::cosh);
+}
+template <AnyLane L>
+inline L tanh(const L& a) {
+  return each_lane(a, ::tanh);
+}
+template <AnyLane L>
+inline L asinh(const L& a) {
+  return each_lane(a, ::asinh);
+}
+template <AnyLane L>
+inline L acosh(const L& a) {
+  return each_lane(a, ::acosh);
+}
+template <AnyLane L>
+inline L atanh(const L& a) {
+  return each_lane(a, ::atanh);
+}
+template <AnyLane L>
+inline L erf(const L& a) {
+  return each_lane(a, ::erf);
+}
+template <AnyLane L>
+inline L erfc(const L& a) {
+  return each_lane(a, ::erfc);
+}
+template <AnyLane L>
+inline L exp_of_minus_square(const L& a) {
+  return each_lane(a, [](double x) { return jetlag::exp_of_minus_square(x); });
+}
+template <AnyLane L>
+inline L pow(const L& a, const L& b) {
+  return each_lane(a, b, ::pow);
+}
+template <AnyLane L>
+inline L hypot(const L& a, const L& b) {
+  return each_lane(a, b, ::hypot);
+}
+template <AnyLane L>
+inline L atan2(const L& a, const L& b) {
+  return each_lane(a, b, ::atan2);
+}
+
+// Choices (series/conditions.hpp, series/sign.hpp): each lane by its own number.
+template <int n>
+inline Lanes<n> less(const Lanes<n>& a, const Lanes<n>& b) {
+  return each_register<n>([&](int i) { return a.r[i] < b.r[i] ? broadcast(1) : broadcast(0); });
+}
+template <int n>
+inline Lanes<n> less_or_equal(const Lanes<n>& a, const Lanes<n>& b) {
+  return each_register<n>([&](int i) { return a.r[i] <= b.r[i] ? broadcast(1) : broadcast(0); });
+}
+template <int n>
+inline Lanes<n> where(const Lanes<n>& c, const Lanes<n>& a, const Lanes<n>& b) {
+  return each_register<n>([&](int i) { return c.r[i] == broadcast(0) ? b.r[i] : a.r[i]; });
+}
+template <int n>
+inline Lanes<n> sign_of(
+    const Lanes<n>& x) {  // NaN, which is neither above nor below nor at 0, stays what it is
+  return each_register<n>([&](int i) {
+    const Register zero = broadcast(0), not_above = x.r[i] < zero ? broadcast(-1) : x.r[i];
+    return x.r[i] > zero ? broadcast(1) : not_above + zero;
+  });
+}
+template <int n>
+inline Lanes<n> by_sign(const Lanes<n>& s, const Lanes<n>& a, const Lanes<n>& b) {
+  return each_register<n>([&](int i) {
+    const Register not_above = s.r[i] <= broadcast(0) ? a.r[i] : s.r[i];
+    return s.r[i] > broadcast(0) ? b.r[i] : not_above;
+  });
+}
+
+inline One less(One a, One b) { return One(a.x < b.x ? 1 : 0); }
+inline One less_or_equal(One a, One b) { return One(a.x <= b.x ? 1 : 0); }
+inline One where(One c, One a, One b) { return c.x == 0 ? b : a; }
+inline One sign_of(One x) { return x.x > 0 ? One(1) : x.x < 0 ? One(-1) : One(x.x + 0.0); }
+inline One by_sign(One s, One a, One b) { return s.x > 0 ? b : s.x <= 0 ? a : s; }
 
 extern const KernelTable<double> of_one, of_16, table;
 
@@ -249,6 +365,13 @@ template <>
 inline constexpr int partial_sums<JETLAG_INSTRUCTION_SET_NAME::Lanes<2>> = 2;
 template <>
 inline constexpr int partial_sums<JETLAG_INSTRUCTION_SET_NAME::One> = 4;
+
+template <JETLAG_INSTRUCTION_SET_NAME::AnyLane L>
+struct Constants<L> {
+  static L log2_e() { return L(std::numbers::log2e); }
+  static L log10_e() { return L(std::numbers::log10e); }
+  static L two_over_sqrt_pi() { return L(2 * std::numbers::inv_sqrtpi); }
+};
 }  // namespace jetlag
 
 namespace jetlag::JETLAG_INSTRUCTION_SET_NAME {

@@ -24,10 +24,10 @@
 
 namespace jetlag {
 /// How GoogleTest shows a jet: (u_0, u_1, ...).
-template <class T, int N>
-void PrintTo(const Jet<T, N>& u, std::ostream* out) {
+template <class T, int N, Singularities P>
+void PrintTo(const Jet<T, N, P>& u, std::ostream* out) {
   *out << "(";
-  for (int k = 0; k <= N; ++k) *out << (k > 0 ? ", " : "") << ::testing::PrintToString(u[k]);
+  for (int k = 0; k <= u.degree(); ++k) *out << (k > 0 ? ", " : "") << ::testing::PrintToString(u[k]);
   *out << ")";
 }
 }  // namespace jetlag
@@ -54,8 +54,8 @@ concept Sequence = requires(const S& s) { s[0]; };
 
 template <class S>
 std::size_t length(const S& s) {
-  if constexpr (requires { S::degree; })
-    return S::degree + 1;
+  if constexpr (requires { s.degree(); })
+    return s.degree() + 1;
   else if constexpr (requires { s.size(); })
     return static_cast<std::size_t>(s.size());
   else

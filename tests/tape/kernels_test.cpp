@@ -6,19 +6,17 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <string_view>
 #include <vector>
 
 #include "jetlag/series/elementary.hpp"
-#include "jetlag/tape/program.hpp"
 #include "jetlag/tape/recording.hpp"
 #include "support/close.hpp"
 #include "support/random.hpp"
 #include "support/rules.hpp"
+#include "support/run_tape.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -27,10 +25,6 @@ constexpr int degree = 12;
 constexpr int elements = 70;  // two blocks of 32 lanes and a part of a third
 using J = Jet<double, degree>;
 using Tracked = Jet<RunningError<double>, degree>;
-
-bool same_bits(double a, double b) {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-}
 
 /// Operands of one rule for each element: series with |u_k| < 2^-k, and a number where a constant is
 /// expected.
@@ -43,7 +37,7 @@ Operands<R> random_operands() {
   Operands<R> all(elements);
   for (auto& operands : all)
     for (int a = 0; a < arity<R>; ++a) {
-      operands[a][0] = draw(0.5, 2.0);
+      operands[a][0] = draw(domain<R>().low, domain<R>().high);
       if (R::reads[a] != Reads::constant)
         for (int k = 1; k <= degree; ++k) operands[a][k] = draw(-1, 1) * std::ldexp(1.0, -k);
     }
@@ -62,30 +56,6 @@ Tape tape_of() {
   return recording.finish({recording.operation(rule_id<R>, operands, false)});
 }
 
-/// A tape over all elements, order by order: the result of each element. Inputs are components 0 .. n - 1.
-template <std::size_t n>
-std::vector<J> run_tape(const Tape& tape, const std::vector<std::array<J, n>>& operands,
-                        const std::vector<double>& parameters, const KernelTable<double>& table,
-                        int at_once = 1) {
-  const Program program(tape);
-  Blocks<double> blocks(program, operands.size(), parameters, table);
-  blocks.reserve(degree + 1);
-  std::vector<J> results(operands.size());
-  for (int k = 0; k <= degree; k += at_once)
-    for (std::size_t b = 0; b < blocks.blocks(); ++b) {
-      const int orders = std::min(at_once, degree + 1 - k);
-      for (int order = k; order < k + orders; ++order)
-        for (const auto& [place, input] : program.inputs)
-          for (int lane = 0; lane < blocks.lanes(); ++lane)
-            blocks.at(b, place, order)[lane] = operands[blocks.element(b, lane)][input.component][order];
-      blocks.run(b, k, orders);
-      for (int order = k; order < k + orders; ++order)
-        for (int lane = 0; lane < blocks.lanes(); ++lane)
-          results[blocks.element(b, lane)][order] = blocks.at(b, program.outputs[0], order)[lane];
-    }
-  return results;
-}
-
 /// The tape of one rule; what it reads as constant is the parameter.
 template <class R>
 std::vector<J> run(const Operands<R>& operands, const KernelTable<double>& table, int at_once = 1) {
@@ -93,18 +63,7 @@ std::vector<J> run(const Operands<R>& operands, const KernelTable<double>& table
   for (int a = 0; a < arity<R>; ++a)
     if (R::reads[a] == Reads::constant)
       for (const auto& of_element : operands) parameters.push_back(of_element[a][0]);
-  return run_tape<arity<R>>(tape_of<R>(), operands, parameters, table, at_once);
-}
-
-/// All tables of this machine: every instruction set in every width of a block.
-std::vector<const KernelTable<double>*> tables_of_all_widths() {
-  std::vector<const KernelTable<double>*> all;
-  for (const auto* widest : available_kernels())
-    for (const auto* table = widest; table; table = table->narrower) all.push_back(table);
-  return all;
-}
-std::string name(const KernelTable<double>& table) {
-  return std::string(table.instruction_set) + ", " + std::to_string(table.lanes) + " lanes";
+  return run_tape(tape_of<R>(), operands, parameters, table, at_once);
 }
 
 /// The rule on jets of another number type.
@@ -177,7 +136,8 @@ TYPED_TEST(KernelLaws, NotFiniteLanesLeaveTheOthersAlone) {
     for (int e = 0; e < elements; ++e)
       for (int k = 0; k <= degree && std::ranges::find(ill, e) == std::end(ill); ++k)
         EXPECT_TRUE(same_bits(after[e][k], before[e][k])) << "element " << e << ", order " << k;
-    if (arity < TypeParam >> 0) {
+    constexpr bool is_comparison = std::is_same_v<TypeParam, Less> || std::is_same_v<TypeParam, LessOrEqual>;
+    if (arity < TypeParam >> 0 && !is_comparison) {   // a comparison with NaN does not hold
       EXPECT_FALSE(std::isfinite(after[ill[0]][0]));  // and the ill lane is not made well
     }
   }
@@ -194,7 +154,7 @@ TEST(Kernels, ComputeAWholeFunctionAsJetsDo) {  // all rules in one tape, the co
   const auto operands = random_operands<Multiply>();
   for (const auto* table : tables_of_all_widths()) {
     SCOPED_TRACE(name(*table));
-    const auto results = run_tape<2>(tape, operands, {}, *table);
+    const auto results = run_tape(tape, operands, {}, *table);
     for (int e = 0; e < elements; ++e) {
       std::array<Tracked, 2> u;
       for (int k = 0; k <= degree; ++k)
@@ -212,8 +172,7 @@ TEST(Kernels,
   const auto operands = random_operands<Square>();
   for (const auto* table : tables_of_all_widths()) {
     SCOPED_TRACE(name(*table));
-    const auto one = run_tape<1>(tape, operands, {}, *table, 1),
-               two = run_tape<1>(tape, operands, {}, *table, 2);
+    const auto one = run_tape(tape, operands, {}, *table, 1), two = run_tape(tape, operands, {}, *table, 2);
     for (int e = 0; e < elements; ++e)
       for (int k = 0; k <= degree; ++k) EXPECT_TRUE(same_bits(one[e][k], two[e][k])) << e << ", order " << k;
   }

@@ -12,70 +12,99 @@
 //
 // by hand: (2 + t)^3 = 8 + 12 t + 6 t^2 + t^3, and 1/(1 + t) is the geometric series.
 //
+// Jet<T, Dynamic> has its degree at run time. An operation on two of them knows as many coefficients as both do;
+// a plain number has all coefficients and adapts:
+//
+//   auto x = Jet<double, Dynamic>::variable(2.0, 3);        //  2 + t + O(t^4)
+//   auto y = exp(x) * 2.0;                                  //  y.degree() == 3
+//   x.append(0.0);  resume<Exp>(v, x);                      //  coefficient 4 of v = exp(x), see resume.hpp
+//
 // Where a function is not analytic at the point (sqrt at 0, division by 0) the jet is not finite from the
-// first coefficient that does not exist. Where a quotient has a removable singularity (t/t) the common power
-// of t is cancelled; the top coefficients, which the known ones do not determine, are then NaN.
+// first coefficient that does not exist; a CheckedJet throws (singular_point.hpp). Where the singularity is
+// removable (t/t) the common power of t is cancelled (valuation.hpp); the top coefficients, which the known ones do
+// not determine, are then NaN, and a dynamic jet is of smaller degree.
 //
 // T is any number type with + - * / and, for the functions used, sqrt, exp, ... found by argument-dependent
-// lookup; its operators must return T (Boost.Multiprecision: et_off).
+// lookup; its operators must return T (Boost.Multiprecision: et_off). A jet is such a type: Jet<Jet<double, 1>, 20>
+// is a series in t with its derivative by a parameter.
 
-#include <array>
 #include <cassert>
-#include <cmath>
+#include <compare>
 #include <concepts>
 #include <initializer_list>
-#include <limits>
+#include <span>
 #include <type_traits>
-#include <utility>
 
-#include "jetlag/series/arithmetic.hpp"
+#include "jetlag/series/coefficients.hpp"
+#include "jetlag/series/lift.hpp"
+#include "jetlag/series/operators.hpp"
 #include "jetlag/series/polynomial.hpp"
-#include "jetlag/series/rule.hpp"
+#include "jetlag/series/singular_point.hpp"
 
 namespace jetlag {
 
-template <class T, int N>
-class Jet {
-  static_assert(N >= 0);
+/// A jet; P: what it does at a singular point.
+template <class T, int N, Singularities P>
+class Jet : public detail::Coefficients<T, N>, SeriesOperators<Jet<T, N, P>> {
+  using detail::Coefficients<T, N>::c_;
 
  public:
   using value_type = T;
-  static constexpr int degree = N;
+  static constexpr int degree_at_compile_time = N;
+  static constexpr Singularities singularities = P;
+  using detail::Coefficients<T, N>::degree;  // J::degree of a static jet, u.degree() of any
 
-  Jet() : c_{} { c_.fill(T(0)); }
+  Jet() = default;  // the constant 0
 
   /// The constant series x.
   template <class X>
     requires std::convertible_to<X, T>
-  Jet(const X& x) : Jet() {  // implicit: numbers are jets
+  Jet(const X& x) {  // implicit: numbers are jets
     c_[0] = T(x);
   }
 
-  /// From coefficients u_0, u_1, ...; the missing ones are 0, at most N + 1 are given.
-  static Jet from(std::initializer_list<T> coefficients) {
-    assert(coefficients.size() <= N + 1);
+  /// The same series in another degree or policy. Coefficients that u does not know are NaN.
+  template <int M, Singularities Q>
+    requires(M != N || Q != P)
+  explicit Jet(const Jet<T, M, Q>& u) {
+    if constexpr (N == Dynamic)
+      if (!u.is_constant()) this->resize(u.degree());
+    for (int k = 0; k <= degree(); ++k)
+      c_[k] = k <= u.degree() ? u[k] : u.is_constant() ? T(0) : detail::not_a_number<T>();
+  }
+
+  /// From coefficients u_0, u_1, ...; at least one is given. In a static jet the missing ones are 0 and at most
+  /// N + 1 are given.
+  static Jet from(std::span<const T> coefficients) {
+    const int given = static_cast<int>(coefficients.size());
+    assert(given > 0);
     Jet u;
-    int k = 0;
-    for (const T& c : coefficients) u.c_[k++] = c;
+    if constexpr (N == Dynamic) u.resize(given - 1);
+    assert(given <= u.degree() + 1);
+    for (int k = 0; k < given; ++k) u.c_[k] = coefficients[k];
     return u;
+  }
+  static Jet from(std::initializer_list<T> coefficients) {
+    return from(std::span<const T>(coefficients.begin(), coefficients.size()));
   }
 
   /// x + t.
-  static Jet variable(const T& x) {
+  static Jet variable(const T& x)
+    requires(N != Dynamic)
+  {
     Jet u(x);
     if constexpr (N >= 1) u.c_[1] = T(1);
     return u;
   }
-
-  T& operator[](int k) {
-    assert(0 <= k && k <= N);
-    return c_[k];
+  /// x + t, known to a degree >= 0.
+  static Jet variable(const T& x, int degree)
+    requires(N == Dynamic)
+  {
+    Jet u(x);
+    u.resize(degree);
+    if (degree >= 1) u.c_[1] = T(1);
+    return u;
   }
-  const T& operator[](int k) const {
-    assert(0 <= k && k <= N);
-    return c_[k];
-  }
-  const std::array<T, N + 1>& coefficients() const { return c_; }
 
   /// u(t), by Horner's rule. Also for another type X of argument, such as a jet (composition); the result is of
   /// the wider type, as it is for a product.
@@ -86,160 +115,69 @@ class Jet {
     return evaluate<Value>(c_, Value(t));
   }
 
-  Jet& operator+=(const Jet& v) { return *this = *this + v; }
-  Jet& operator-=(const Jet& v) { return *this = *this - v; }
-  Jet& operator*=(const Jet& v) { return *this = *this * v; }
-  Jet& operator/=(const Jet& v) { return *this = *this / v; }
+  /// All coefficients are equal, and as many are known.
+  friend bool operator==(const Jet& u, const Jet& v) {
+    if constexpr (N != Dynamic) {
+      return u.c_ == v.c_;
+    } else {
+      if (!u.is_constant() && !v.is_constant()) return u.c_ == v.c_;
+      for (int k = 0; k <= u.degree() || k <= v.degree(); ++k)
+        if (!(u[k] == v[k])) return false;
+      return true;
+    }
+  }
 
-  friend bool operator==(const Jet& u, const Jet& v) { return u.c_ == v.c_; }
-
- private:
-  std::array<T, N + 1> c_;
+  /// < <= > >= of coefficient 0. A NaN is neither below nor above.
+  friend std::partial_ordering operator<=>(const Jet& u, const Jet& v) {
+    if constexpr (is_jet<T>)
+      return u[0] <=> v[0];
+    else
+      return u[0] < v[0]    ? std::partial_ordering::less
+             : u[0] > v[0]  ? std::partial_ordering::greater
+             : u[0] == v[0] ? std::partial_ordering::equivalent
+                            : std::partial_ordering::unordered;
+  }
 };
 
-template <class S>
-inline constexpr bool is_jet = false;
+/// A jet that throws SingularPoint where a function has no Taylor series.
 template <class T, int N>
-inline constexpr bool is_jet<Jet<T, N>> = true;
+using CheckedJet = Jet<T, N, Singularities::checked>;
 
-/// A number x read as a series without terms beyond the first: the `constant` operand of a rule.
-template <class T>
-struct ConstantSeries {
-  T value;
-  const T& operator[](int) const { return value; }
-};
-
-namespace detail {
-template <class J, class X>
-decltype(auto) as_operand(const X& x) {
-  if constexpr (std::is_same_v<X, J>)
-    return (x);
-  else
-    return ConstantSeries<typename J::value_type>{typename J::value_type(x)};
-}
-}  // namespace detail
-
-/// v = R(u...): the rule applied for k = 0, 1, ..., N. Operands that are not jets of type J are constants.
-template <Rule R, class J, class... U>
-  requires is_jet<J>
-J lift(const U&... u) {
-  J v;
-  for (int k = 0; k <= J::degree; ++k) v[k] = R::coefficient(k, detail::as_operand<J>(u)..., v);
-  return v;
-}
-
-/// v = A(u, w), w = B(u, v): two rules that read each other's older coefficients.
-template <Rule A, Rule B, class J>
-  requires is_jet<J>
-std::pair<J, J> lift_coupled(const J& u) {
-  std::pair<J, J> both;
-  auto& [v, w] = both;
-  for (int k = 0; k <= J::degree; ++k) {
-    v[k] = A::coefficient(k, u, w, v);
-    w[k] = B::coefficient(k, u, v, w);
-  }
-  return both;
-}
-
-// ---- arithmetic ------------------------------------------------------------------------------------------
-
-template <class X, class J>
-concept ScalarOf = is_jet<J> && !is_jet<X> && std::convertible_to<X, typename J::value_type>;
-
-template <class T, int N>
-Jet<T, N> operator+(const Jet<T, N>& u) {
-  return u;
-}
-template <class T, int N>
-Jet<T, N> operator-(const Jet<T, N>& u) {
-  return lift<Negate, Jet<T, N>>(u);
-}
-template <class T, int N>
-Jet<T, N> operator+(const Jet<T, N>& u, const Jet<T, N>& v) {
-  return lift<Add, Jet<T, N>>(u, v);
-}
-template <class T, int N>
-Jet<T, N> operator-(const Jet<T, N>& u, const Jet<T, N>& v) {
-  return lift<Subtract, Jet<T, N>>(u, v);
-}
-template <class T, int N>
-Jet<T, N> operator*(const Jet<T, N>& u, const Jet<T, N>& v) {
-  return lift<Multiply, Jet<T, N>>(u, v);
-}
-
-/// Smallest k with u_k != 0; N + 1 for the zero series.
-template <class T, int N>
-int valuation(const Jet<T, N>& u) {
-  int k = 0;
-  while (k <= N && u[k] == T(0)) ++k;
-  return k;
-}
-
-/// f / g. Where g_0 = 0 and f vanishes to the same order l, t^l is cancelled and the last l coefficients are NaN.
-template <class T, int N>
-Jet<T, N> operator/(const Jet<T, N>& f, const Jet<T, N>& g) {
-  const int l = valuation(g);
-  if (l == 0 || l > N || valuation(f) < l) return lift<Divide, Jet<T, N>>(f, g);
-  Jet<T, N> f_shifted, g_shifted;
-  for (int k = 0; k + l <= N; ++k) {
-    f_shifted[k] = f[k + l];
-    g_shifted[k] = g[k + l];
-  }
-  auto q = lift<Divide, Jet<T, N>>(f_shifted, g_shifted);
-  for (int k = N - l + 1; k <= N; ++k) q[k] = T(std::numeric_limits<double>::quiet_NaN());
-  return q;
-}
-
-template <class T, int N, ScalarOf<Jet<T, N>> X>
-Jet<T, N> operator+(const Jet<T, N>& u, const X& c) {
-  return lift<Offset, Jet<T, N>>(c, u);
-}
-template <class T, int N, ScalarOf<Jet<T, N>> X>
-Jet<T, N> operator+(const X& c, const Jet<T, N>& u) {
-  return u + c;
-}
-template <class T, int N, ScalarOf<Jet<T, N>> X>
-Jet<T, N> operator-(const Jet<T, N>& u, const X& c) {
-  return lift<Offset, Jet<T, N>>(-T(c), u);
-}
-template <class T, int N, ScalarOf<Jet<T, N>> X>
-Jet<T, N> operator-(const X& c, const Jet<T, N>& u) {
-  return lift<Offset, Jet<T, N>>(c, -u);
-}
-template <class T, int N, ScalarOf<Jet<T, N>> X>
-Jet<T, N> operator*(const Jet<T, N>& u, const X& c) {
-  return lift<Scale, Jet<T, N>>(c, u);
-}
-template <class T, int N, ScalarOf<Jet<T, N>> X>
-Jet<T, N> operator*(const X& c, const Jet<T, N>& u) {
-  return u * c;
-}
-template <class T, int N, ScalarOf<Jet<T, N>> X>
-Jet<T, N> operator/(const Jet<T, N>& f, const X& c) {
-  return lift<DivideByConstant, Jet<T, N>>(f, c);
-}
-template <class T, int N, ScalarOf<Jet<T, N>> X>
-Jet<T, N> operator/(const X& c, const Jet<T, N>& g) {
-  return lift<Reciprocal, Jet<T, N>>(c, g);
+/// Whether all coefficients are finite.
+template <class T, int N, Singularities P>
+bool isfinite(const Jet<T, N, P>& u) {
+  return known_degree(u) == u.degree();
 }
 
 // ---- calculus --------------------------------------------------------------------------------------------
 
-/// u'; its coefficient N is not determined by u and is set to 0: the derivative of the polynomial.
-template <class T, int N>
-Jet<T, N> derivative(const Jet<T, N>& u) {
-  Jet<T, N> v;
-  for (int k = 0; k < N; ++k) v[k] = (k + 1) * u[k + 1];
+/// u'. In a static jet coefficient N is not determined by u and is set to 0: the derivative of the polynomial. A
+/// dynamic jet has one degree less; of degree 0, whose derivative is not known at all, it becomes NaN.
+template <class T, int N, Singularities P>
+Jet<T, N, P> derivative(const Jet<T, N, P>& u) {
+  if (u.is_constant()) return T(0);
+  auto v = detail::zeros<Jet<T, N, P>>(u.degree() > 0 ? u.degree() - 1 : 0);
+  for (int k = 0; k < u.degree(); ++k) v[k] = (k + 1) * u[k + 1];
+  if (N == Dynamic && u.degree() == 0) v[0] = detail::not_a_number<T>();
+  return v;
+}
+
+/// The integral of u from 0 to t, plus c. A static jet drops coefficient N of u; a dynamic jet has one degree more.
+template <class T, int N, Singularities P>
+Jet<T, N, P> integral(const Jet<T, N, P>& u, const std::type_identity_t<T>& c = T(0)) {
+  auto v = detail::zeros<Jet<T, N, P>>(u.degree() + 1);
+  v[0] = c;
+  for (int k = 1; k <= v.degree(); ++k) v[k] = u[k - 1] / T(k);
   return v;
 }
 
 /// The polynomial u about a new origin: v(t) = u(s + t).
-template <class T, int N>
-Jet<T, N> shift_origin(const Jet<T, N>& u, const T& s) {
+template <class T, int N, Singularities P>
+Jet<T, N, P> shift_origin(const Jet<T, N, P>& u, const std::type_identity_t<T>& s) {
   auto c = u.coefficients();
   taylor_shift(c, s);
-  Jet<T, N> v;
-  for (int k = 0; k <= N; ++k) v[k] = c[k];
+  auto v = u;
+  for (int k = 0; k <= u.degree(); ++k) v[k] = c[k];
   return v;
 }
 

@@ -7,8 +7,10 @@
 //   Tape tape = recording.finish({-4.0 * (x * x)});          // two operations: square, scale
 //
 // Common subexpressions are recorded once, x * x becomes a square, a product with a value that has no series
-// becomes a scaling. A recorded value has no number to compare: `if` on it does not compile.
+// becomes a scaling. A recorded value has no number to compare, and a comparison has no answer yet: it is recorded
+// too, for `select`, `min`, `max`, `abs`. `if` on it does not compile.
 
+#include <concepts>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -17,6 +19,7 @@
 #include <utility>
 #include <vector>
 
+#include "jetlag/series/comparisons.hpp"
 #include "jetlag/series/eigen.hpp"
 #include "jetlag/tape/tape.hpp"
 
@@ -132,7 +135,8 @@ template <Rule A, Rule B, std::same_as<Recorded> S>
 std::pair<S, S> lift_coupled(const S& u) {
   if (u.is_number()) {
     const ConstantSeries<double> x{u.value()}, none{0.0};
-    return {A::coefficient(0, x, none, none), B::coefficient(0, x, none, none)};
+    const ConstantSeries<double> v{A::coefficient(0, x, none, none)};
+    return {v.value, B::coefficient(0, x, v, none)};
   }
   Recording& recording = *u.recording();
   return recording.coupled(rule_id<A>, rule_id<B>, u.node(), recording.is_static(u));
@@ -146,12 +150,51 @@ Recorded operator-(const Recorded& u);
 
 /// u^v: a number or a parameter as exponent, or exp(v log(u)).   Range: u_0 > 0; any u_0 for a whole number.
 Recorded pow(const Recorded& u, const Recorded& v);
+/// As for jets (series/elementary.hpp).
+Recorded hypot(const Recorded& x, const Recorded& y);
+Recorded atan2(const Recorded& y, const Recorded& x);
 inline Recorded operator+(const Recorded& u) { return u; }
 
 inline Recorded& Recorded::operator+=(const Recorded& v) { return *this = *this + v; }
 inline Recorded& Recorded::operator-=(const Recorded& v) { return *this = *this - v; }
 inline Recorded& Recorded::operator*=(const Recorded& v) { return *this = *this * v; }
 inline Recorded& Recorded::operator/=(const Recorded& v) { return *this = *this / v; }
+
+// ---- choices ---------------------------------------------------------------------------------------------
+
+/// A comparison of recorded values, decided at t = 0 by each element for itself.
+class RecordedCondition {
+ public:
+  explicit RecordedCondition(const Recorded& holds) : holds_(holds) {}
+
+  /// 1 or 0.
+  const Recorded& holds() const { return holds_; }
+
+  template <std::same_as<bool> B>
+  operator B() const {
+    static_assert(!std::same_as<B, bool>,
+                  "a recorded law has no branches: use jetlag::select(condition, a, b)");
+    return false;
+  }
+
+ private:
+  Recorded holds_;
+};
+
+RecordedCondition operator<(const Recorded& u, const Recorded& v);
+RecordedCondition operator<=(const Recorded& u, const Recorded& v);
+inline RecordedCondition operator>(const Recorded& u, const Recorded& v) { return v < u; }
+inline RecordedCondition operator>=(const Recorded& u, const Recorded& v) { return v <= u; }
+RecordedCondition operator&&(const RecordedCondition& a, const RecordedCondition& b);
+RecordedCondition operator||(const RecordedCondition& a, const RecordedCondition& b);
+RecordedCondition operator!(const RecordedCondition& a);
+
+/// a if the condition holds at t = 0, else b. The one that is not selected may be NaN.
+Recorded select(const RecordedCondition& condition, const Recorded& a, const Recorded& b);
+
+/// As for jets (series/comparisons.hpp).
+Recorded min(const Recorded& u, const Recorded& v);
+Recorded max(const Recorded& u, const Recorded& v);
 
 }  // namespace jetlag
 
