@@ -2,8 +2,42 @@
 #include "jetlag/integrators/taylor.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace jetlag {
+
+namespace {
+
+/// The unit of time for a series that is known up to order n: its own, or where coefficients have over- or
+/// underflowed a power of two in which they should not.
+///
+/// The last coefficient m that is neither tells how fast they grow, as (c_m / c)^(1/m), c the largest of c_0, c_1. A
+/// series that ends, as that of free fall, looks like one that has underflowed, but its coefficients do not shrink that
+/// fast before the end.
+double better_unit(const Expansion<double>& series, int n) {
+  const auto size = [&](int k) { return largest(series.position(k)); };
+  const double least = std::numeric_limits<double>::min();
+  if (std::isnormal(std::max(size(n), size(n - 1)))) return series.time_unit();
+  int m = 1;
+  double last = 0;
+  bool overflow = false;
+  for (int k = 2; k <= n && !overflow; ++k) {
+    const double c = size(k);
+    overflow = !std::isfinite(c);
+    if (!overflow && c >= least) {
+      m = k;
+      last = c;
+    }
+  }
+  const double first = std::max(size(0), size(1));
+  if (m < 2 || !(first >= least)) return series.time_unit();
+  const double growth = (std::log2(last) - std::log2(first)) / m;
+  if (overflow ? growth < 1 : growth > -16) return series.time_unit();
+  return std::ldexp(series.time_unit(), -static_cast<int>(std::lround(growth)));
+}
+
+}  // namespace
 
 RandomTaylor::RandomTaylor(const System<double>& system, TruncationLaw law, std::unique_ptr<Control> control,
                            Options options)
@@ -35,29 +69,42 @@ Coordinates<double> RandomTaylor::weighted_sum(bool of_velocity, double h) const
   const auto last = [&](int degree) { return derivative ? degree - 1 : degree; };
 
   const int top = last(*std::ranges::max_element(degree_));
+  const double s = h / series_.time_unit();
   Coordinates<double> sum = Coordinates<double>::Zero(series_.particles(), series_.dimension());
   for (int n = top; n >= 0; --n) {
     if (options_.shared_draw) {
-      sum = sum * h + weight(n) * term(n);
+      sum = sum * s + weight(n) * term(n);
     } else {
       const auto c = term(n);
       for (int i = 0; i < series_.particles(); ++i)
-        if (n <= last(degree_[i])) sum.row(i) = sum.row(i) * h + weight(n) * c.row(i);
+        if (n <= last(degree_[i])) sum.row(i) = sum.row(i) * s + weight(n) * c.row(i);
     }
   }
   return sum;
 }
 
+/// The series of this step up to an order, in a unit of time in which its coefficients are representable.
+void RandomTaylor::grow_to(int order, const State<double>& state) {
+  for (int attempt = 0; attempt < 4; ++attempt) {
+    series_.grow_to(order);
+    const double unit = better_unit(series_, series_.order());
+    if (unit == time_unit_) return;
+    time_unit_ = unit;
+    series_.start(state, unit);
+  }
+  series_.grow_to(order);
+}
+
 double RandomTaylor::step(State<double>& state, double limit, Report& report) {
-  series_.start(state);
+  series_.start(state, time_unit_);
   draw();
-  if (control_->reads_series()) series_.grow_to(order_needed(law_.max_degree()));
+  if (control_->reads_series()) grow_to(order_needed(law_.max_degree()), state);
   const double h = cropped(control_->propose({series_, law_}), limit);
   if (!advances(state.time, h)) {
     if (all_finite(series_, report)) report = step_underflow(series_, h);
     return 0.0;
   }
-  series_.grow_to(order_needed(*std::ranges::max_element(degree_)));
+  if (!control_->reads_series()) grow_to(order_needed(*std::ranges::max_element(degree_)), state);
 
   Coordinates<double> position = weighted_sum(false, h), velocity = weighted_sum(true, h);
   if (!position.allFinite() || !velocity.allFinite()) {
@@ -82,7 +129,7 @@ double RandomTaylor::step(State<double>& state, double limit, Report& report) {
 }
 
 Piece RandomTaylor::piece() const {
-  Piece piece{series_.time(), series_.time() + last_step_, {}, {}};
+  Piece piece{series_.time(), series_.time() + last_step_, {}, {}, series_.time_unit()};
   const bool derivative = options_.velocity == VelocitySeries::derivative;
   const int top = *std::ranges::max_element(degree_);
   for (int n = 0; n <= top; ++n) {
@@ -91,7 +138,7 @@ Piece RandomTaylor::piece() const {
       for (int i = 0; i < series_.particles(); ++i)
         if (n > degree_[i]) x.row(i).setZero();
     if (derivative) {
-      if (n > 0) piece.velocity.push_back(n * x);
+      if (n > 0) piece.velocity.push_back(n / series_.time_unit() * x);
     } else {
       piece.velocity.push_back(law_.weight(n) * series_.velocity(n));
       if (!options_.shared_draw)

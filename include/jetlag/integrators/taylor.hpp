@@ -45,6 +45,7 @@ class RandomTaylor final : public Integrator {
 
  private:
   void draw();
+  void grow_to(int order, const State<double>& state);
   Coordinates<double> weighted_sum(bool of_velocity, double h) const;
   int order_needed(int degree) const {
     return options_.velocity == VelocitySeries::own_series ? degree + 1 : degree;
@@ -57,6 +58,7 @@ class RandomTaylor final : public Integrator {
   std::vector<bool> fixed_;
   int moving_;
   std::uint64_t update_ = 0;
+  double time_unit_ = 1;     // of the series: 1 until a coefficient over- or underflows
   std::vector<int> degree_;  // K of each particle in this step; one entry when the draw is shared
   double last_step_ = 0;
   Work work_;

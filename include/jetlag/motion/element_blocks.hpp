@@ -38,7 +38,7 @@ class ElementBlocks {
   bool is_static() const { return blocks_.program().is_static; }
 
   /// Coefficient k of the outputs of every element.
-  /// position, velocity: coefficient k of all particles, padded rows; time: the time at order 0.
+  /// position, velocity: coefficient k of all particles, padded rows; time: coefficient k of the time.
   template <class Use>
   void run(int k, const T* position, const T* velocity, const T& time, Use use) {
     for (std::size_t b = 0; b < blocks_.blocks(); ++b) {
@@ -98,7 +98,7 @@ class ElementBlocks {
     for (const auto& [place, input] : blocks_.program().inputs) {
       T* to = blocks_.at(b, place, k);
       if (input.kind == Input::Kind::time) {
-        for (int lane = 0; lane < lanes; ++lane) to[lane] = k == 0 ? time : T(k == 1 ? 1 : 0);
+        for (int lane = 0; lane < lanes; ++lane) to[lane] = time;
         continue;
       }
       const T* from = (input.kind == Input::Kind::position ? position : velocity) + input.component;
