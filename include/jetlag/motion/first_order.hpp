@@ -92,12 +92,16 @@ class FirstOrderExpansion {
     for (std::vector<T>& series : y_) series.clear();
   }
 
-  /// Starts anew from y(t) = y: coefficient 0 is known.
-  void start(const T& t, const std::vector<T>& y) {
+  /// Starts anew from y(t) = y: coefficient 0 is known. time_unit, > 0: the series are those in powers of
+  /// (time - t) / time_unit. With a power of two their digits are the same; fast and slow motions need it, whose
+  /// coefficients over- or underflow.
+  void start(const T& t, const std::vector<T>& y, const T& time_unit = T(1)) {
     if (y.size() != y_.size())
       throw std::invalid_argument("y' = f(t, y): " + std::to_string(y_.size()) +
                                   " initial values are needed");
+    if (!(time_unit > T(0))) throw std::invalid_argument("y' = f(t, y): the unit of time must be > 0");
     time_ = t;
+    time_unit_ = time_unit;
     for (std::size_t i = 0; i < y.size(); ++i) y_[i].assign(1, y[i]);
   }
 
@@ -108,15 +112,15 @@ class FirstOrderExpansion {
   void grow() {
     const int k = order();
     if (k < 0) throw std::logic_error("FirstOrderExpansion: start() comes before grow()");
+    const T time = k == 0 ? time_ : k == 1 ? time_unit_ : T(0);
     blocks_.reserve(k + 1 > blocks_.capacity() ? 2 * (k + 1) : k + 1);
     for (const auto& [place, input] : blocks_.program().inputs)
-      *blocks_.at(0, place, k) =
-          input.kind == Input::Kind::time ? (k == 0 ? time_ : T(k == 1 ? 1 : 0)) : y_[input.component][k];
+      *blocks_.at(0, place, k) = input.kind == Input::Kind::time ? time : y_[input.component][k];
     blocks_.run(0, k);
     for (std::size_t i = 0; i < y_.size(); ++i) {
       const Place place = blocks_.program().outputs[i];
       const bool zero = k > 0 && place.space == Place::Space::statics;
-      y_[i].push_back(zero ? T(0) : T(*blocks_.at(0, place, k) / T(k + 1)));
+      y_[i].push_back(zero ? T(0) : T(*blocks_.at(0, place, k) * time_unit_ / T(k + 1)));
     }
   }
 
@@ -124,12 +128,15 @@ class FirstOrderExpansion {
     while (this->order() < order) grow();
   }
 
+  /// The unit of time of the series.
+  const T& time_unit() const { return time_unit_; }
+
   /// The coefficients 0 .. order() of component i.
   const std::vector<T>& operator[](int i) const { return y_[i]; }
   int size() const { return static_cast<int>(y_.size()); }
 
  private:
-  T time_{};
+  T time_{}, time_unit_{1};
   std::vector<std::vector<T>> y_;
   Blocks<T> blocks_;
 };
