@@ -5,51 +5,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <nlohmann/json.hpp>
 
+#include "reference/conditioning.hpp"
 #include "support/digits50.hpp"
 
 namespace jetlag::testing {
 namespace {
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
-
-double largest(const std::vector<double>& numbers) {
-  double most = 0;
-  for (double x : numbers) most = std::max(most, std::abs(x));
-  return most;
-}
-
-/// The largest difference, the reference read in 80 bits.
-double error(const std::vector<double>& end, const std::vector<std::string>& reference) {
-  double most = 0;
-  for (std::size_t i = 0; i < end.size(); ++i)
-    most = std::max(most, static_cast<double>(std::abs(end[i] - std::stold(reference.at(i)))));
-  return most;
-}
-
-/// How much larger a relative disturbance arrives than it was, over 16 times at which it is made.
-double growth(const ReferenceProblem& problem, const ReferenceSolution& solution) {
-  constexpr double size = 1e-9;  // large against rounding, small against all that is not linear
-  double most = 0;
-  for (std::uint64_t part = 0; part < 16; ++part) {
-    std::vector<double> end = problem.solve(20, {solution.steps * part / 16, size}).end;
-    for (std::size_t i = 0; i < end.size(); ++i) end[i] -= solution.end[i];
-    most = std::max(most, largest(end) / size);
-  }
-  return most;
-}
-
 class Reference : public ::testing::TestWithParam<std::string> {};
 
-/// Each step rounds every component by about eps/2, which arrives enlarged by `growth`: n steps walk at random, three
-/// sigma of them are allowed; what is left out of the series at degree 20 is exp(-40) of a step, 50 times less. The end
-/// of the interval is rounded too: eps T |y'|.
-///
 /// Measured (AVX-512), error / tolerance, and what enlarges it:
 ///   arenstorf A, B                  3e-11, 4e-11 / 2e-8    two passages of the moon, growth 2e6
 ///   kepler e = .1 .. .9             2e-14 .. 8e-14 / 5e-14 .. 4e-12   the phase, growth 10 .. 340
@@ -71,11 +38,11 @@ TEST_P(Reference, ProblemHasItsEndValues) {
   ASSERT_EQ(solution.report.outcome, Outcome::success) << solution.report.message;
   const auto& values = reference_values().at(GetParam());
   ASSERT_EQ(solution.end.size(), values.size());
-  const double tolerance =
-      eps * (3 * std::sqrt(static_cast<double>(solution.steps)) * growth(*problem, solution) +
-             problem->until * largest(solution.rate));
+  std::vector<long double> known;
+  for (const std::string& value : values) known.push_back(std::stold(value));
+  const double tolerance = rounding_tolerance(*problem, solution);
   EXPECT_LT(tolerance, 1e-7);  // it proves something
-  EXPECT_LT(error(solution.end, values), tolerance);
+  EXPECT_LT(error(solution.end, known), tolerance);
 }
 
 std::vector<std::string> names() {
