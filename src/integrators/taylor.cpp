@@ -37,6 +37,28 @@ double better_unit(const Expansion<double>& series, int n) {
   return std::ldexp(series.time_unit(), -static_cast<int>(std::lround(growth)));
 }
 
+/// a + b = value + rest, exactly.         Source: Knuth, TAOCP 2, 4.2.2.
+struct Sum {
+  double value, rest;
+};
+Sum two_sum(double a, double b) {
+  const double value = a + b, b_part = value - a;
+  return {value, (a - (value - b_part)) + (b - b_part)};
+}
+
+/// y + rest += s slope, where the product and the sum keep what does not fit a double.
+void add_product(double s, const Coordinates<double>& slope, Coordinates<double>& y,
+                 Coordinates<double>& rest) {
+  for (Eigen::Index i = 0; i < y.size(); ++i) {
+    const double product = s * slope.data()[i];
+    const Sum sum = two_sum(y.data()[i], product);
+    const Sum whole =
+        two_sum(sum.value, sum.rest + (std::fma(s, slope.data()[i], -product) + rest.data()[i]));
+    y.data()[i] = whole.value;
+    rest.data()[i] = whole.rest;
+  }
+}
+
 }  // namespace
 
 RandomTaylor::RandomTaylor(const System<double>& system, TruncationLaw law, std::unique_ptr<Control> control,
@@ -47,6 +69,9 @@ RandomTaylor::RandomTaylor(const System<double>& system, TruncationLaw law, std:
       options_(options),
       fixed_(system.fixed()),
       moving_(moving_particles(system)) {
+  if (options_.compensated && options_.velocity == VelocitySeries::derivative && law_.min_degree() == 0)
+    throw std::invalid_argument(
+        "RandomTaylor: compensated sums of velocities from the derivative need a min_degree of at least 1");
   if (law_.is_fixed()) options_.shared_draw = true;
   degree_.resize(options_.shared_draw ? 1 : system.particles());
 }
@@ -60,8 +85,8 @@ void RandomTaylor::draw() {
   }
 }
 
-/// sum_{n<=K} w_n c_n h^n by Horner's rule, c the series of the positions or that of the velocities.
-Coordinates<double> RandomTaylor::weighted_sum(bool of_velocity, double h) const {
+/// sum_{first<=n<=K} w_n c_n s^(n-first) by Horner's rule, c the series of the positions or that of the velocities.
+Coordinates<double> RandomTaylor::weighted_sum(bool of_velocity, double s, int first) const {
   const bool derivative = of_velocity && options_.velocity == VelocitySeries::derivative;
   const auto term = [&](int n) { return of_velocity ? series_.velocity(n) : series_.position(n); };
   // With `derivative`, coefficient n of the velocity carries the weight of coefficient n + 1 of the position.
@@ -69,9 +94,8 @@ Coordinates<double> RandomTaylor::weighted_sum(bool of_velocity, double h) const
   const auto last = [&](int degree) { return derivative ? degree - 1 : degree; };
 
   const int top = last(*std::ranges::max_element(degree_));
-  const double s = h / series_.time_unit();
   Coordinates<double> sum = Coordinates<double>::Zero(series_.particles(), series_.dimension());
-  for (int n = top; n >= 0; --n) {
+  for (int n = top; n >= first; --n) {
     if (options_.shared_draw) {
       sum = sum * s + weight(n) * term(n);
     } else {
@@ -81,6 +105,16 @@ Coordinates<double> RandomTaylor::weighted_sum(bool of_velocity, double h) const
     }
   }
   return sum;
+}
+
+/// The state at the end of the step in compensated sums, s = h / time unit:   x + (s sum_{n>=1} w_n x_n s^(n-1)).
+/// The rest of the velocity moves the position too.
+void RandomTaylor::add_increments(State<double>& state, double s) const {
+  for (auto* rest : {&state.position_rest, &state.velocity_rest})
+    if (rest->size() == 0) rest->setZero(series_.particles(), series_.dimension());
+  state.position_rest += s * series_.time_unit() * state.velocity_rest;
+  add_product(s, weighted_sum(false, s, 1), state.position, state.position_rest);
+  add_product(s, weighted_sum(true, s, 1), state.velocity, state.velocity_rest);
 }
 
 /// The series of this step up to an order, in a unit of time in which its coefficients are representable.
@@ -106,13 +140,20 @@ double RandomTaylor::step(State<double>& state, double limit, Report& report) {
   }
   if (!control_->reads_series()) grow_to(order_needed(*std::ranges::max_element(degree_)), state);
 
-  Coordinates<double> position = weighted_sum(false, h), velocity = weighted_sum(true, h);
-  if (!position.allFinite() || !velocity.allFinite()) {
-    if (all_finite(series_, report)) all_finite(position, velocity, state.time, report);
+  const double s = h / series_.time_unit();
+  State<double> next{state.time, {}, {}};
+  if (options_.compensated) {
+    next = state;
+    add_increments(next, s);
+  } else {
+    next.position = weighted_sum(false, s, 0);
+    next.velocity = weighted_sum(true, s, 0);
+  }
+  if (!next.position.allFinite() || !next.velocity.allFinite()) {
+    if (all_finite(series_, report)) all_finite(next.position, next.velocity, state.time, report);
     return 0.0;
   }
-  state.position = std::move(position);
-  state.velocity = std::move(velocity);
+  state = std::move(next);
   last_step_ = h;
   ++update_;
 
