@@ -8,6 +8,7 @@
 #include "jetlag/control/jorba_zou.hpp"
 #include "jetlag/control/variance_target.hpp"
 #include "jetlag/forces/forces.hpp"
+#include "jetlag/integrators/first_order_taylor.hpp"
 #include "jetlag/integrators/leapfrog.hpp"
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/motion/energy.hpp"

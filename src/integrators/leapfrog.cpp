@@ -64,6 +64,7 @@ double Leapfrog::step(State<double>& state, double limit, Report& report) {
   time_of_a_after_ = next.time;
   state.position = std::move(next.position);
   state.velocity = std::move(next.velocity);
+  state.drop_rests();
   last_step_ = h;
 
   ++work_.steps;

@@ -2,8 +2,64 @@
 #include "jetlag/integrators/taylor.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace jetlag {
+
+namespace {
+
+/// The unit of time for a series that is known up to order n: its own, or where coefficients have over- or
+/// underflowed a power of two in which they should not.
+///
+/// The last coefficient m that is neither tells how fast they grow, as (c_m / c)^(1/m), c the largest of c_0, c_1. A
+/// series that ends, as that of free fall, looks like one that has underflowed, but its coefficients do not shrink that
+/// fast before the end.
+double better_unit(const Expansion<double>& series, int n) {
+  const auto size = [&](int k) { return largest(series.position(k)); };
+  const double least = std::numeric_limits<double>::min();
+  if (std::isnormal(std::max(size(n), size(n - 1)))) return series.time_unit();
+  int m = 1;
+  double last = 0;
+  bool overflow = false;
+  for (int k = 2; k <= n && !overflow; ++k) {
+    const double c = size(k);
+    overflow = !std::isfinite(c);
+    if (!overflow && c >= least) {
+      m = k;
+      last = c;
+    }
+  }
+  const double first = std::max(size(0), size(1));
+  if (m < 2 || !(first >= least)) return series.time_unit();
+  const double growth = (std::log2(last) - std::log2(first)) / m;
+  if (overflow ? growth < 1 : growth > -16) return series.time_unit();
+  return std::ldexp(series.time_unit(), -static_cast<int>(std::lround(growth)));
+}
+
+/// a + b = value + rest, exactly.         Source: Knuth, TAOCP 2, 4.2.2.
+struct Sum {
+  double value, rest;
+};
+Sum two_sum(double a, double b) {
+  const double value = a + b, b_part = value - a;
+  return {value, (a - (value - b_part)) + (b - b_part)};
+}
+
+/// y + rest += s slope, where the product and the sum keep what does not fit a double.
+void add_product(double s, const Coordinates<double>& slope, Coordinates<double>& y,
+                 Coordinates<double>& rest) {
+  for (Eigen::Index i = 0; i < y.size(); ++i) {
+    const double product = s * slope.data()[i];
+    const Sum sum = two_sum(y.data()[i], product);
+    const Sum whole =
+        two_sum(sum.value, sum.rest + (std::fma(s, slope.data()[i], -product) + rest.data()[i]));
+    y.data()[i] = whole.value;
+    rest.data()[i] = whole.rest;
+  }
+}
+
+}  // namespace
 
 RandomTaylor::RandomTaylor(const System<double>& system, TruncationLaw law, std::unique_ptr<Control> control,
                            Options options)
@@ -13,6 +69,9 @@ RandomTaylor::RandomTaylor(const System<double>& system, TruncationLaw law, std:
       options_(options),
       fixed_(system.fixed()),
       moving_(moving_particles(system)) {
+  if (options_.compensated && options_.velocity == VelocitySeries::derivative && law_.min_degree() == 0)
+    throw std::invalid_argument(
+        "RandomTaylor: compensated sums of velocities from the derivative need a min_degree of at least 1");
   if (law_.is_fixed()) options_.shared_draw = true;
   degree_.resize(options_.shared_draw ? 1 : system.particles());
 }
@@ -26,8 +85,8 @@ void RandomTaylor::draw() {
   }
 }
 
-/// sum_{n<=K} w_n c_n h^n by Horner's rule, c the series of the positions or that of the velocities.
-Coordinates<double> RandomTaylor::weighted_sum(bool of_velocity, double h) const {
+/// sum_{first<=n<=K} w_n c_n s^(n-first) by Horner's rule, c the series of the positions or that of the velocities.
+Coordinates<double> RandomTaylor::weighted_sum(bool of_velocity, double s, int first) const {
   const bool derivative = of_velocity && options_.velocity == VelocitySeries::derivative;
   const auto term = [&](int n) { return of_velocity ? series_.velocity(n) : series_.position(n); };
   // With `derivative`, coefficient n of the velocity carries the weight of coefficient n + 1 of the position.
@@ -36,36 +95,65 @@ Coordinates<double> RandomTaylor::weighted_sum(bool of_velocity, double h) const
 
   const int top = last(*std::ranges::max_element(degree_));
   Coordinates<double> sum = Coordinates<double>::Zero(series_.particles(), series_.dimension());
-  for (int n = top; n >= 0; --n) {
+  for (int n = top; n >= first; --n) {
     if (options_.shared_draw) {
-      sum = sum * h + weight(n) * term(n);
+      sum = sum * s + weight(n) * term(n);
     } else {
       const auto c = term(n);
       for (int i = 0; i < series_.particles(); ++i)
-        if (n <= last(degree_[i])) sum.row(i) = sum.row(i) * h + weight(n) * c.row(i);
+        if (n <= last(degree_[i])) sum.row(i) = sum.row(i) * s + weight(n) * c.row(i);
     }
   }
   return sum;
 }
 
+/// The state at the end of the step in compensated sums, s = h / time unit:   x + (s sum_{n>=1} w_n x_n s^(n-1)).
+/// The rest of the velocity moves the position too.
+void RandomTaylor::add_increments(State<double>& state, double s) const {
+  for (auto* rest : {&state.position_rest, &state.velocity_rest})
+    if (rest->size() == 0) rest->setZero(series_.particles(), series_.dimension());
+  state.position_rest += s * series_.time_unit() * state.velocity_rest;
+  add_product(s, weighted_sum(false, s, 1), state.position, state.position_rest);
+  add_product(s, weighted_sum(true, s, 1), state.velocity, state.velocity_rest);
+}
+
+/// The series of this step up to an order, in a unit of time in which its coefficients are representable.
+void RandomTaylor::grow_to(int order, const State<double>& state) {
+  for (int attempt = 0; attempt < 4; ++attempt) {
+    series_.grow_to(order);
+    const double unit = better_unit(series_, series_.order());
+    if (unit == time_unit_) return;
+    time_unit_ = unit;
+    series_.start(state, unit);
+  }
+  series_.grow_to(order);
+}
+
 double RandomTaylor::step(State<double>& state, double limit, Report& report) {
-  series_.start(state);
+  series_.start(state, time_unit_);
   draw();
-  if (control_->reads_series()) series_.grow_to(order_needed(law_.max_degree()));
+  if (control_->reads_series()) grow_to(order_needed(law_.max_degree()), state);
   const double h = cropped(control_->propose({series_, law_}), limit);
   if (!advances(state.time, h)) {
     if (all_finite(series_, report)) report = step_underflow(series_, h);
     return 0.0;
   }
-  series_.grow_to(order_needed(*std::ranges::max_element(degree_)));
+  if (!control_->reads_series()) grow_to(order_needed(*std::ranges::max_element(degree_)), state);
 
-  Coordinates<double> position = weighted_sum(false, h), velocity = weighted_sum(true, h);
-  if (!position.allFinite() || !velocity.allFinite()) {
-    if (all_finite(series_, report)) all_finite(position, velocity, state.time, report);
+  const double s = h / series_.time_unit();
+  State<double> next{state.time, {}, {}};
+  if (options_.compensated) {
+    next = state;
+    add_increments(next, s);
+  } else {
+    next.position = weighted_sum(false, s, 0);
+    next.velocity = weighted_sum(true, s, 0);
+  }
+  if (!next.position.allFinite() || !next.velocity.allFinite()) {
+    if (all_finite(series_, report)) all_finite(next.position, next.velocity, state.time, report);
     return 0.0;
   }
-  state.position = std::move(position);
-  state.velocity = std::move(velocity);
+  state = std::move(next);
   last_step_ = h;
   ++update_;
 
@@ -82,7 +170,7 @@ double RandomTaylor::step(State<double>& state, double limit, Report& report) {
 }
 
 Piece RandomTaylor::piece() const {
-  Piece piece{series_.time(), series_.time() + last_step_, {}, {}};
+  Piece piece{series_.time(), series_.time() + last_step_, {}, {}, series_.time_unit()};
   const bool derivative = options_.velocity == VelocitySeries::derivative;
   const int top = *std::ranges::max_element(degree_);
   for (int n = 0; n <= top; ++n) {
@@ -91,7 +179,7 @@ Piece RandomTaylor::piece() const {
       for (int i = 0; i < series_.particles(); ++i)
         if (n > degree_[i]) x.row(i).setZero();
     if (derivative) {
-      if (n > 0) piece.velocity.push_back(n * x);
+      if (n > 0) piece.velocity.push_back(n / series_.time_unit() * x);
     } else {
       piece.velocity.push_back(law_.weight(n) * series_.velocity(n));
       if (!options_.shared_draw)

@@ -28,7 +28,7 @@ Energy EnergyMeter::operator()(const State<double>& state) {
     }
     energy.kinetic += 0.5 * mass_[i] * state.velocity.row(i).squaredNorm();
   }
-  const MotionRows<double> motion{position_.data(), velocity_.data(), 0, state.time};
+  const MotionRows<double> motion{position_.data(), velocity_.data(), 0, state.time, 1.0};
   for (auto& blocks : potentials_) energy.potential += blocks.sum(motion);
   return energy;
 }

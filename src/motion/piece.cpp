@@ -14,13 +14,14 @@ Coordinates<double> horner(const std::vector<Coordinates<double>>& c, double s) 
 }  // namespace
 
 State<double> Piece::at(double t) const {
-  return {t, horner(position, t - begin), horner(velocity, t - begin)};
+  const double s = (t - begin) / unit;
+  return {t, horner(position, s), horner(velocity, s)};
 }
 
 Piece Piece::about(double t) const {
-  Piece moved{t, end, position, velocity};
-  taylor_shift(moved.position, t - begin);
-  taylor_shift(moved.velocity, t - begin);
+  Piece moved{t, end, position, velocity, unit};
+  taylor_shift(moved.position, (t - begin) / unit);
+  taylor_shift(moved.velocity, (t - begin) / unit);
   return moved;
 }
 

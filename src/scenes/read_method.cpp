@@ -121,8 +121,8 @@ struct MethodArguments {
 };
 
 IntegratorFactory series_method(const MethodArguments& arguments, TruncationLaw law, bool shared_draw) {
-  const RandomTaylor::Options options{arguments.seed, shared_draw,
-                                      read_velocity_series(arguments.integrator)};
+  const RandomTaylor::Options options{arguments.seed, shared_draw, read_velocity_series(arguments.integrator),
+                                      arguments.integrator.at("compensated", false).boolean()};
   const double orders = law.mean() + (options.velocity == VelocitySeries::own_series ? 1 : 0) - 1;
   std::shared_ptr<const Control> model = read_control(arguments.control, law, *arguments.system);
   return {[system = arguments.system, law, model, options] {
@@ -132,13 +132,14 @@ IntegratorFactory series_method(const MethodArguments& arguments, TruncationLaw 
 }
 
 IntegratorFactory read_taylor(const MethodArguments& arguments) {
-  arguments.integrator.only({"type", "degree", "velocity"});
+  arguments.integrator.only({"type", "degree", "velocity", "compensated"});
   return series_method(arguments, fixed_degree(read_degree(arguments.integrator, arguments.control)), true);
 }
 
 IntegratorFactory read_random_taylor(const MethodArguments& arguments) {
   const Value& integrator = arguments.integrator;
-  integrator.only({"type", "min_degree", "max_degree", "probability", "draws", "shared_draw", "velocity"});
+  integrator.only(
+      {"type", "min_degree", "max_degree", "probability", "draws", "shared_draw", "velocity", "compensated"});
   if (const auto tolerance = arguments.control.find("tolerance"))
     tolerance->refuse("left out for random_taylor, whose degrees are given");
   const auto m = static_cast<int>(integrator.at("min_degree").integer(1, largest_degree)),

@@ -2,6 +2,7 @@
 #include "studies/studies.hpp"
 
 #include "studies/paper_table.hpp"
+#include "studies/reference_table.hpp"
 
 namespace jetlag {
 
@@ -9,6 +10,7 @@ void add_studies(CLI::App& app, std::optional<Study>& chosen) {
   auto* study = app.add_subcommand("study", "make a table from many runs");
   study->require_subcommand(1);
   add_paper_table(*study, chosen);
+  add_reference_table(*study, chosen);
 }
 
 }  // namespace jetlag

@@ -74,16 +74,12 @@ INSTANTIATE_TEST_SUITE_P(, ControlLaws, ::testing::ValuesIn(members),
                          [](const auto& info) { return info.param.name; });
 
 TEST_P(ControlLaws, TimeRunningTwiceAsFastHalvesTheStep) {
-  // The circle of radius 2 at speeds of 2, 4, 8: positions and velocities above 1, so that scales which are
-  // at least 1 (Jorba-Zou: |x|, and |v| where it looks at velocities) move with the motion. Powers of
-  // 2 are exact.
+  // The circle at speeds of 1, 2, 4. Powers of 2 are exact.
   for (const TruncationLaw& law : truncations)
     for (int times : {1, 20}) {
       std::vector<double> h;
       for (double speed : {1.0, 2.0, 4.0}) {
-        Scene scene = circular_oscillator(speed);
-        scene.start.position *= 2.0;
-        scene.start.velocity *= 2.0;
+        const Scene scene = circular_oscillator(speed);
         const double unit = 1 / speed;
         h.push_back(proposal(*GetParam().make(law, 1e-6, infinity, unit), scene, law, times) * speed);
       }
@@ -269,27 +265,7 @@ TEST(VarianceTarget, GrowsByTwoAtMost) {
   EXPECT_DOUBLE_EQ(proposal(control, circular_oscillator(), law), 2e-3);
 }
 
-// ---- JorbaZou, FixedStep ----------------------------------------------------------------------------------
-
-TEST(JorbaZou, TakesTheRadiusOfTheGeometricSeries) {
-  // x = 1/(1-t): the coefficients of x are 1, those of v are k + 1, so that its estimates of the radius,
-  // which is 1, are 20^(-1/19) and 21^(-1/20): the smaller is the first.
-  System<double> system(1, {1.0});
-  system.add<CubicPush>({{0}}, {{}});
-  const Scene scene{std::move(system),
-                    {0.0, Coordinates<double>::Ones(1, 1), Coordinates<double>::Ones(1, 1)}};
-  JorbaZou control;
-  const double h = proposal(control, scene, fixed_degree(20));
-  EXPECT_NEAR(h, std::pow(20.0, -1.0 / 19) * std::exp(-2 - 0.7 / 19), 1e-15);  // a few roundings of 0.11
-}
-
-TEST(JorbaZou, HasDegreeTwentyForDoubles) {
-  EXPECT_EQ(jorba_zou_degree(2.2e-16), 20);
-  EXPECT_EQ(jorba_zou_degree(0.5), 2);
-  EXPECT_EQ(jorba_zou_degree(1e-6), 8);  // 1 + 6.9
-  for (double t : {0.0, 1.0, -1.0, infinity, std::numeric_limits<double>::quiet_NaN()})
-    EXPECT_THROW(jorba_zou_degree(t), std::invalid_argument) << t;
-}
+// ---- refusals, FixedStep -------------------------------------------------------------------------------------
 
 TEST(Controls, RefuseStepsAndTolerancesThatAreNotPositiveByName) {
   const auto refused = [](const char* name) { return ThrowsMessage<std::invalid_argument>(HasSubstr(name)); };

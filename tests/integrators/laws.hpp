@@ -45,6 +45,19 @@ inline Method taylor_method(int degree) {
           }};
 }
 
+/// Degree 5 in compensated sums.
+inline Method compensated_taylor() {
+  return {.name = "taylor_5_compensated",
+          .order = 5,
+          .exact_degree = 5,
+          .make = [](const System<double>& system, double step, std::uint64_t) {
+            RandomTaylor::Options options;
+            options.compensated = true;
+            return std::make_unique<RandomTaylor>(system, fixed_degree(5), std::make_unique<FixedStep>(step),
+                                                  options);
+          }};
+}
+
 inline Method random_taylor_method(int min_degree, int max_degree, bool shared_draw,
                                    VelocitySeries velocity) {
   const bool derivative = velocity == VelocitySeries::derivative;
@@ -74,6 +87,7 @@ inline const std::vector<Method> methods = {
     taylor_method(4),
     taylor_method(5),
     taylor_method(6),
+    compensated_taylor(),
     random_taylor_method(1, 4, true, VelocitySeries::own_series),
     random_taylor_method(2, 4, true, VelocitySeries::own_series),
     random_taylor_method(3, 6, true, VelocitySeries::own_series),

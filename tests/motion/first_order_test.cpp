@@ -114,6 +114,53 @@ TEST(FirstOrder, StartedAnewForgetsWhatItKnew) {
   for (int i = 0; i < 2; ++i) EXPECT_EQ(used[i], fresh[i]);
 }
 
+constexpr auto logistic = [](const auto&, const auto& y, const auto& p) {
+  return std::array{p[0] * y[0] * (1.0 - y[0] / p[1])};
+};
+
+TEST(FirstOrder, ReadsItsParameters) {  // y' = r y (1 - y/c) from y = c/2: c/2 (1 + tanh(r t / 2))
+  FirstOrderExpansion<Number> series(logistic, 1, {3.0, 5.0});
+  series.start(0.0, {2.5});
+  series.grow_to(7);
+  const Digits50 half_rate = Digits50(3) / 2, half_capacity = Digits50(5) / 2;
+  EXPECT_THAT(series[0][1], IsCloseTo(Digits50(half_capacity * half_rate)));
+  EXPECT_THAT(series[0][3], IsCloseTo(Digits50(-half_capacity * pow(half_rate, 3) / 3)));
+  EXPECT_THAT(series[0][7], IsCloseTo(Digits50(-half_capacity * pow(half_rate, 7) * 17 / 315)));
+}
+
+TEST(FirstOrder, WithOtherParametersIsTheFreshOne) {
+  FirstOrderExpansion<> changed(logistic, 1, {3.0, 5.0}), fresh(logistic, 1, {2.0, 7.0});
+  changed.start(0.0, {1.0});
+  changed.grow_to(30);
+  changed.set_parameters({2.0, 7.0});
+  EXPECT_EQ(changed.order(), -1);  // what was known is gone
+  for (auto* series : {&changed, &fresh}) {
+    series->start(0.0, {1.0});
+    series->grow_to(30);
+  }
+  EXPECT_EQ(changed[0], fresh[0]);
+}
+
+TEST(FirstOrder,
+     HasParametersOfItsOwnPrecision) {  // a third, which no double is: y' = p y has y_1 = p to 50 digits
+  FirstOrderExpansion<Digits50> series(
+      [](const auto&, const auto& y, const auto& p) { return std::array{p[0] * y[0]}; }, 1,
+      {Digits50(1) / 3});
+  series.start(0, {1});
+  series.grow();
+  EXPECT_EQ(series[0][1], Digits50(1) / 3);
+}
+
+TEST(FirstOrder, RefusesParametersThatDoNotFit) {
+  EXPECT_THROW(FirstOrderExpansion<>(logistic, 1), std::invalid_argument);
+  EXPECT_THROW(FirstOrderExpansion<>(logistic, 1, {3.0}), std::invalid_argument);
+  const auto without = [](const auto&, const auto& y) { return std::array{y[0]}; };
+  EXPECT_THROW(FirstOrderExpansion<>(without, 1, {3.0}), std::invalid_argument);
+  FirstOrderExpansion<> series(logistic, 1, {3.0, 5.0});
+  EXPECT_THROW(series.set_parameters({3.0}), std::invalid_argument);
+  EXPECT_NO_THROW(FirstOrderExpansion<>(logistic, 1, {3.0, 5.0, 9.0}));  // f need not read them all
+}
+
 TEST(FirstOrder, RefusesAWrongNumberOfComponents) {
   const auto f = [](const auto&, const auto& y) { return std::array{y[0]}; };
   EXPECT_THROW(FirstOrderExpansion<>(f, 2), std::invalid_argument);

@@ -184,6 +184,25 @@ TEST(Scenes, EveryIntegratorAndControlRuns) {
   }
 }
 
+/// A run of the two bodies, e = .5, with an integrator and a control.
+RunResult run_of_two_bodies(const std::string& integrator, const std::string& control, double until) {
+  return run_scene(load_scene("two_body", {"integrator=" + integrator, "control=" + control,
+                                           "until=" + std::to_string(until), "output.frames=1"}));
+}
+
+TEST(Scenes, CompensatedSumsAreAnOptionThatIsOff) {
+  const auto x = [](const std::string& compensated) {
+    const std::string integrator = R"({"type": "taylor", "degree": 20)" + compensated + "}";
+    return run_of_two_bodies(integrator, R"({"type": "jorba_zou"})", 20.0).summary.position;
+  };
+  const auto plain = x("");
+  EXPECT_EQ(x(R"(, "compensated": false)"), plain);
+  EXPECT_NE(x(R"(, "compensated": true)"), plain);
+  EXPECT_LT((x(R"(, "compensated": true)") - plain).cwiseAbs().maxCoeff(),
+            1e-12);  // 120 steps of some roundings
+  EXPECT_NE(load_scene("two_body").json.find("\"compensated\": false"), std::string::npos);
+}
+
 TEST(FailedRuns, SayWhyAndLeaveTheLastGoodState) {
   const TemporaryFolder folder;
   // Two masses fall into each other: the speed grows without bound at t = pi / (2 sqrt 2) sqrt(1/8) ... in finite time.

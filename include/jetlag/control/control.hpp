@@ -9,6 +9,7 @@
 //   - a series that ends (free fall, rest) gives the largest step allowed, never infinity or NaN.
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -22,7 +23,8 @@ namespace jetlag {
 
 /// What a control looks at.
 struct Prospect {
-  const Expansion<double>& series;  // known to law.max_degree() at least, when the control asks for it
+  const Expansion<double>& series;  // known to law.max_degree() at least, when the control asks for it;
+                                    // its unit of time is its own: coefficient k comes with time_unit^k
   const TruncationLaw& law;         // where the series will be stopped
 };
 
@@ -40,9 +42,17 @@ class Control {
   virtual std::unique_ptr<Control> clone() const = 0;
 };
 
-/// The largest absolute component of a coefficient, over all particles.
+/// The largest absolute component of a coefficient, over all particles; NaN where there is one.
 inline double largest(const CoefficientView<double>& coefficient) {
-  return coefficient.size() == 0 ? 0.0 : coefficient.cwiseAbs().maxCoeff();
+  double most = 0.0;
+  bool numbers = true;
+  for (int i = 0; i < coefficient.rows(); ++i)
+    for (int c = 0; c < coefficient.cols(); ++c) {
+      const double size = std::abs(coefficient(i, c));
+      most = std::max(most, size);
+      numbers &= size == size;
+    }
+  return numbers ? most : std::numeric_limits<double>::quiet_NaN();
 }
 
 /// The largest variance of a component of a position at step h, over all particles: max_i Var g_i(h) [m^2].

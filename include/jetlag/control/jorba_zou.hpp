@@ -2,6 +2,8 @@
 #pragma once
 // The step of Jorba and Zou, from an estimate of the radius of convergence.
 
+#include <span>
+
 #include "jetlag/control/control.hpp"
 
 namespace jetlag {
@@ -9,11 +11,25 @@ namespace jetlag {
 /// The degree for a tolerance: p = ceil(1 - ln(tol) / 2), at least 2.         Source: [JZ05] 3.2.
 int jorba_zou_degree(double tolerance);
 
-/// rho = min over y in {x, v} of  min((s_y / |y_{p-1}|)^{1/(p-1)}, (s_y / |y_p|)^{1/p}),
-/// h = rho exp(-2 - 0.7 / (p-1)).         Source: [JZ05] 3.2, with a scale of its own for positions and velocities.
-/// p: the largest degree of which the series holds both; |.|: largest component; s_y = |y_0|, at least 1 (smaller
-/// positions and velocities are held to an absolute error). The accuracy follows from the degree: the first term left
-/// out is about exp(-2p) s.
+/// The largest step h <= max_step at which the last two terms are small against the largest of those before them,
+///
+///     c_q h^q <= sigma^q max_{n<q} c_n h^n   for q = p-1, p,      sigma = exp(-2 - 0.5 / (p-1)),
+///
+/// norms: c_n = |y_n|, the sizes of the coefficients 0 .. p of one kind of quantity (positions, say), p >= 1.
+/// Where c_0 is the largest term this is Jorba and Zou's h = sigma min((c_0 / c_{p-1})^{1/(p-1)}, (c_0 / c_p)^{1/p}),
+/// sigma times an estimate of the radius of convergence; the other terms take over where c_0 vanishes. The step goes
+/// with the unit of time and does not depend on that of y. The accuracy follows from p: the first term left out is
+/// some exp(-2p) of the largest.
+/// max_step where the last two coefficients vanish, or all before them; 0 where a norm is not finite.
+/// Source: [JZ05] 3.2, with 0.5 in place of 0.7: 1 % fewer steps at p = 20, and what the series leaves out of the
+/// energy of a planet, e = .9, is still 1.5e-18 a period, where rounding adds 1e-15.
+/// Throws std::invalid_argument for fewer than two norms.
+double jorba_zou_step(std::span<const double> norms, double max_step);
+
+/// The smaller of the steps for positions and for velocities, |.| being the largest component over all particles.
+/// p: the largest degree of which the series holds both. Only the state, the forces in it and the last two coefficients
+/// are read, the others only where these vanish. Neither the unit of length nor that of time matters. Particles at
+/// rest and in free fall get max_step.
 class JorbaZou final : public Control {
  public:
   /// max_step [s], > 0; it is the step where the last coefficients vanish.

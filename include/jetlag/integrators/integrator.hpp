@@ -37,7 +37,8 @@ class Integrator {
   virtual ~Integrator() = default;
 
   /// One step of at most `limit` [s]: the length the control proposes, or `limit` where that is shorter. state.time
-  /// is the beginning of the step and stays so: the caller keeps the time. Returns the length; on failure 0.
+  /// is the beginning of the step and stays so: the caller keeps the time. Rests of the state are kept by methods with
+  /// compensated sums and dropped by others. Returns the length; on failure 0.
   virtual double step(State<double>& state, double limit, Report& report) = 0;
 
   /// The motion during the last step: begin is state.time of that step.

@@ -27,7 +27,7 @@ struct MotionRows {
   const T* position;                 // coefficient k
   const T* velocity;                 // coefficient k
   std::size_t next_order;            // distance to coefficient k + 1
-  T time;                            // at order 0
+  T time, time_unit;                 // the coefficients of the time
   const T* position_rest = nullptr;  // what the positions of order 0 have beyond the number; none if null
 };
 
@@ -215,7 +215,7 @@ class ElementBlocks {
   void gather(std::size_t b, int k, int n, const MotionRows<T>& motion) {
     const int lanes = blocks_.lanes();
     T* waste = waste_.data() + b / Blocks<T>::blocks_of_a_chunk * lanes;
-    if (time_) std::fill_n(blocks_.at(b, *time_, k), lanes, k == 0 ? motion.time : T(k == 1 ? 1 : 0));
+    if (time_) std::fill_n(blocks_.at(b, *time_, k), lanes, k == 0 ? motion.time : k == 1 ? motion.time_unit : T(0));
     for (const InputRows& input : inputs_) {
       std::array<T*, 3> to{};
       for (int c = 0; c < dimension_; ++c)

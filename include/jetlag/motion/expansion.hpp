@@ -12,6 +12,10 @@
 //
 // Coefficients k and k+1 of a force that does not depend on velocities need coefficients 0 .. k+1 of x, no more. So
 // such laws go two orders at a time, which halves what must be read from memory; the others follow order by order.
+//
+// Time may be counted in a unit u of its own: coefficients are then those of powers of (t - t_0) / u, that is x_k u^k,
+// and with a power of two their digits are the same. Fast and slow motions need it: of q'' = -w^2 q coefficient 20 is
+// some w^20, beyond the range of a double for w = 1e16 and 1e-16.
 
 #include <algorithm>
 #include <cstddef>
@@ -55,26 +59,36 @@ class Expansion {
   }
 
   /// Starts anew from a state: coefficients 0 and 1 of x are known. Shapes (particles, dimension).
+  /// time_unit [s]: positive and finite.
   /// Throws std::invalid_argument for a state of another shape and for a fixed particle that is not at rest.
-  void start(const State<T>& state) {
+  void start(const State<T>& state, const T& time_unit = T(1)) {
+    using std::isfinite;
     require_shape(state, particles_, dimension_);
+    if (!(time_unit > T(0)) || !isfinite(time_unit))
+      throw std::invalid_argument("Expansion: the unit of time must be > 0 and finite");
     for (int i = 0; i < particles_; ++i)
       if (inverse_mass_[i * stride_] == T(0) && !(state.velocity.row(i).array() == T(0)).all())
         throw std::invalid_argument("Expansion: particle " + std::to_string(i) +
                                     " is fixed and must be at rest");
     time_ = state.time;
+    time_unit_ = time_unit;
     for (int i = 0; i < particles_; ++i)
       for (int c = 0; c < dimension_; ++c) {
         at(x_, 0)[i * stride_ + c] = state.position(i, c);
-        at(x_, 1)[i * stride_ + c] = state.velocity(i, c);
+        at(v_, 0)[i * stride_ + c] = state.velocity(i, c);
+        at(x_, 1)[i * stride_ + c] = state.velocity(i, c) * time_unit;
       }
-    std::copy_n(at(x_, 1), row_size(), at(v_, 0));
+    rest_.assign(state.position_rest.size() == 0 ? 0 : row_size(), T(0));
+    if (!rest_.empty())
+      for (int i = 0; i < particles_; ++i)
+        for (int c = 0; c < dimension_; ++c) rest_[i * stride_ + c] = state.position_rest(i, c);
     order_ = 1;
   }
 
   /// The highest order of x that is known, >= 1.
   int order() const { return order_; }
   const T& time() const { return time_; }
+  const T& time_unit() const { return time_unit_; }
   int particles() const { return particles_; }
   int dimension() const { return dimension_; }
 
@@ -87,9 +101,9 @@ class Expansion {
     while (order_ < order) grow_by(order_ + 1 < order ? 2 : 1);
   }
 
-  /// Coefficient k of the positions, k <= order().
+  /// Coefficient k of the positions, times time_unit^k, k <= order().
   CoefficientView<T> position(int k) const { return view(x_, k); }
-  /// Coefficient k of the velocities, k <= order() - 1.
+  /// Coefficient k of the velocities [m/s], times time_unit^k, k <= order() - 1.
   CoefficientView<T> velocity(int k) const { return view(v_, k); }
 
   /// (element, order) pairs computed since construction: the honest unit of cost.
@@ -111,7 +125,7 @@ class Expansion {
     return {series.data() + k * row_size(), particles_, dimension_, Eigen::OuterStride<>(stride_)};
   }
   MotionRows<T> motion(int k) {
-    return {at(x_, k), at(v_, k), row_size(), time_, rest_.empty() ? nullptr : rest_.data()};
+    return {at(x_, k), at(v_, k), row_size(), time_, time_unit_, rest_.empty() ? nullptr : rest_.data()};
   }
   void count(const std::vector<ElementBlocks<T>>& laws, int k, int orders) {
     for (const auto& blocks : laws) element_coefficients_ += blocks.count() * blocks.running(k, orders);
@@ -122,9 +136,9 @@ class Expansion {
     T *x = at(x_, k + 2), *v = at(v_, k + 1);
     const T of_velocity = T(1) / T(k + 1), of_position = T(1) / T((k + 1) * (k + 2));
     for (std::size_t i = first; i < last; ++i) {
-      const T acceleration = x[i] * inverse_mass_[i];
-      v[i] = acceleration * of_velocity;
-      x[i] = acceleration * of_position;
+      const T change = x[i] * inverse_mass_[i] * time_unit_;
+      v[i] = change * of_velocity;
+      x[i] = change * time_unit_ * of_position;
     }
   }
 
@@ -226,7 +240,7 @@ class Expansion {
   std::vector<ElementBlocks<T>> without_velocity_, with_velocity_;
   std::vector<Chunk> chunks_;             // of large scenes
   std::unique_ptr<Wavefront> wavefront_;  // over the chunks; null for small scenes
-  T time_{};
+  T time_{}, time_unit_{1};
   int order_ = 1, capacity_ = 0;
   AlignedVector<T> x_, v_;  // [order][particle][padded component]
   AlignedVector<T> rest_;   // what the positions of order 0 have beyond the number; empty if nothing

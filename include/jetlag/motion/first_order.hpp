@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// First-order systems  y' = f(t, y):   y_{k+1} = f_k / (k+1).
+// First-order systems  y' = f(t, y, p):   y_{k+1} = f_k / (k+1).
 //
-//   auto lorenz = [](const auto& t, const auto& y) {
-//     return std::array{10.0 * (y[1] - y[0]), y[0] * (28.0 - y[2]) - y[1], y[0] * y[1] - 8.0 / 3.0 * y[2]};
+//   auto lorenz = [](const auto& t, const auto& y, const auto& p) {
+//     return std::array{p[0] * (y[1] - y[0]), y[0] * (p[1] - y[2]) - y[1], y[0] * y[1] - p[2] * y[2]};
 //   };
-//   FirstOrderExpansion<> series(lorenz, 3);
+//   FirstOrderExpansion<> series(lorenz, 3, {10.0, 28.0, 8.0 / 3.0});
 //   series.start(0.0, {-10.0, -1.0, 40.0});
 //   series.grow_to(20);                        //  series[2][20] is coefficient 20 of y_2
+//
+// Numbers written in f are part of the recording and are doubles, whatever T is. The parameters p are of type T and
+// may be changed without recording again; f(t, y) has none.
 
+#include <concepts>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -19,38 +23,85 @@
 
 namespace jetlag {
 
-/// The tape of f: inputs are time and `size` positions of participant 0; `size` outputs.
-/// f(t, y) takes a scalar and a vector of scalars and returns a container of `size` scalars.
+/// The parameters p as f sees them while it is recorded.
+class RecordedParameters {
+ public:
+  RecordedParameters(Recording& recording, int count) : recording_(&recording), count_(count) {}
+  int size() const { return count_; }
+
+  /// Throws std::invalid_argument where there is none.
+  Recorded operator[](int number) const {
+    if (number < 0 || number >= count_)
+      throw std::invalid_argument("y' = f(t, y, p): f reads p[" + std::to_string(number) + "], p has " +
+                                  std::to_string(count_) + " components");
+    return recording_->parameter(number);
+  }
+
+ private:
+  Recording* recording_;
+  int count_;
+};
+
+/// The tape of f: inputs are time and `size` positions of participant 0; `size` outputs; `parameters` parameters.
+/// f(t, y) or f(t, y, p) takes a scalar, a vector of `size` scalars and the parameters, and returns a container of
+/// `size` scalars. Throws std::invalid_argument for another number of them.
 template <class F>
-Tape record_first_order(const F& f, int size) {
+Tape record_first_order(const F& f, int size, int parameters = 0) {
   Recording recording;
   std::vector<Recorded> y;
   for (int i = 0; i < size; ++i) y.push_back(recording.input({Input::Kind::position, 0, i}));
   const Recorded t = recording.input({Input::Kind::time, 0, 0});
   std::vector<Recorded> derivative;
-  for (const Recorded& component : f(t, y)) derivative.push_back(component);
+  const auto take = [&](const auto& components) {
+    for (const Recorded& component : components) derivative.push_back(component);
+  };
+  if constexpr (std::invocable<const F&, const Recorded&, const std::vector<Recorded>&,
+                               const RecordedParameters&>) {
+    take(f(t, y, RecordedParameters(recording, parameters)));
+  } else {
+    if (parameters > 0)
+      throw std::invalid_argument("y' = f(t, y): f takes no parameters, got " + std::to_string(parameters));
+    take(f(t, y));
+  }
   if (static_cast<int>(derivative.size()) != size)
     throw std::invalid_argument("y' = f(t, y): f returns " + std::to_string(derivative.size()) +
                                 " components, y has " + std::to_string(size));
-  return recording.finish(derivative);
+  Tape tape = recording.finish(derivative);
+  tape.parameters = parameters;
+  return tape;
 }
 
 template <class T = double>
 class FirstOrderExpansion {
  public:
-  /// f: see record_first_order. size: number of equations.
+  /// f: see record_first_order. size: number of equations. parameters: p, as many as f reads.
   template <class F>
-  FirstOrderExpansion(const F& f, int size, int expected_degree = 20)
-      : y_(size), blocks_(Program(record_first_order(f, size)), 1, {}, scalar_kernels<T>()) {
+  FirstOrderExpansion(const F& f, int size, const std::vector<T>& parameters = {}, int expected_degree = 20)
+      : y_(size),
+        blocks_(Program(record_first_order(f, size, static_cast<int>(parameters.size()))), 1, parameters,
+                scalar_kernels<T>()) {
     blocks_.reserve(expected_degree);
+    for (std::vector<T>& series : y_) series.reserve(expected_degree + 1);
   }
 
-  /// Starts anew from y(t) = y: coefficient 0 is known.
-  void start(const T& t, const std::vector<T>& y) {
+  /// Other values of p from now on; start() comes next. Throws std::invalid_argument for another number of them.
+  void set_parameters(const std::vector<T>& parameters) {
+    const int capacity = blocks_.capacity();
+    blocks_ = Blocks<T>(blocks_.program(), 1, parameters, scalar_kernels<T>());
+    blocks_.reserve(capacity);
+    for (std::vector<T>& series : y_) series.clear();
+  }
+
+  /// Starts anew from y(t) = y: coefficient 0 is known. time_unit, > 0: the series are those in powers of
+  /// (time - t) / time_unit. With a power of two their digits are the same; fast and slow motions need it, whose
+  /// coefficients over- or underflow.
+  void start(const T& t, const std::vector<T>& y, const T& time_unit = T(1)) {
     if (y.size() != y_.size())
       throw std::invalid_argument("y' = f(t, y): " + std::to_string(y_.size()) +
                                   " initial values are needed");
+    if (!(time_unit > T(0))) throw std::invalid_argument("y' = f(t, y): the unit of time must be > 0");
     time_ = t;
+    time_unit_ = time_unit;
     for (std::size_t i = 0; i < y.size(); ++i) y_[i].assign(1, y[i]);
   }
 
@@ -61,15 +112,15 @@ class FirstOrderExpansion {
   void grow() {
     const int k = order();
     if (k < 0) throw std::logic_error("FirstOrderExpansion: start() comes before grow()");
+    const T time = k == 0 ? time_ : k == 1 ? time_unit_ : T(0);
     blocks_.reserve(k + 1 > blocks_.capacity() ? 2 * (k + 1) : k + 1);
     for (const auto& [place, input] : blocks_.program().inputs)
-      *blocks_.at(0, place, k) =
-          input.kind == Input::Kind::time ? (k == 0 ? time_ : T(k == 1 ? 1 : 0)) : y_[input.component][k];
+      *blocks_.at(0, place, k) = input.kind == Input::Kind::time ? time : y_[input.component][k];
     blocks_.run(0, k);
     for (std::size_t i = 0; i < y_.size(); ++i) {
       const Place place = blocks_.program().outputs[i];
       const bool zero = k > 0 && place.space == Place::Space::statics;
-      y_[i].push_back(zero ? T(0) : T(*blocks_.at(0, place, k) / T(k + 1)));
+      y_[i].push_back(zero ? T(0) : T(*blocks_.at(0, place, k) * time_unit_ / T(k + 1)));
     }
   }
 
@@ -77,12 +128,15 @@ class FirstOrderExpansion {
     while (this->order() < order) grow();
   }
 
+  /// The unit of time of the series.
+  const T& time_unit() const { return time_unit_; }
+
   /// The coefficients 0 .. order() of component i.
   const std::vector<T>& operator[](int i) const { return y_[i]; }
   int size() const { return static_cast<int>(y_.size()); }
 
  private:
-  T time_{};
+  T time_{}, time_unit_{1};
   std::vector<std::vector<T>> y_;
   Blocks<T> blocks_;
 };

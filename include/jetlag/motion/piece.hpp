@@ -9,12 +9,13 @@
 
 namespace jetlag {
 
-/// Positions and velocities of all particles on [begin, end], as polynomials in t - begin.
+/// Positions and velocities of all particles on [begin, end], as polynomials in (t - begin) / unit.
 /// Weights of a random truncation are part of the coefficients.
 struct Piece {
   double begin = 0, end = 0;                  // [s]
   std::vector<Coordinates<double>> position;  // coefficient k: shape (particles, dimension)
   std::vector<Coordinates<double>> velocity;
+  double unit = 1;  // [s], other than 1 only where coefficients in seconds would over- or underflow
 
   bool holds(double t) const { return begin <= t && t <= end; }
 
@@ -25,7 +26,8 @@ struct Piece {
   Piece about(double t) const;
 };
 
-/// The position polynomials of one particle, component by component: shape (dimension)(degree + 1).
+/// The position polynomials of one particle in (t - begin) / unit, component by component: shape
+/// (dimension)(degree + 1).
 std::vector<std::vector<double>> polynomials(const Piece& piece, int particle);
 
 }  // namespace jetlag

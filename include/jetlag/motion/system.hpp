@@ -29,16 +29,29 @@ struct State {
   T time{};                 // [s]
   Coordinates<T> position;  // [m]
   Coordinates<T> velocity;  // [m/s]
+
+  /// What rounding has cut off: the positions are position + position_rest, with a rest below half of the last place,
+  /// and so are the velocities. Empty: nothing. Integrators with compensated sums keep them, others drop them; whoever
+  /// changes a position or a velocity drops them too.
+  Coordinates<T> position_rest{}, velocity_rest{};
+
+  void drop_rests() {
+    position_rest.resize(0, 0);
+    velocity_rest.resize(0, 0);
+  }
 };
 
-/// Throws std::invalid_argument unless positions and velocities have the shape (particles, dimension).
+/// Throws std::invalid_argument unless positions and velocities have the shape (particles, dimension), and so their
+/// rests where there are any.
 template <class T>
 void require_shape(const State<T>& state, int particles, int dimension) {
   const auto fits = [&](const Coordinates<T>& rows) {
     return rows.rows() == particles && rows.cols() == dimension;
   };
-  if (!fits(state.position) || !fits(state.velocity))
-    throw std::invalid_argument("State: positions and velocities must have the shape (" +
+  const auto fits_or_empty = [&](const Coordinates<T>& rows) { return rows.size() == 0 || fits(rows); };
+  if (!fits(state.position) || !fits(state.velocity) || !fits_or_empty(state.position_rest) ||
+      !fits_or_empty(state.velocity_rest))
+    throw std::invalid_argument("State: positions and velocities, and their rests, must have the shape (" +
                                 std::to_string(particles) + ", " + std::to_string(dimension) + ")");
 }
 
