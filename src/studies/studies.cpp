@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/studies.hpp"
 
+#include "studies/long_runs.hpp"
 #include "studies/paper_table.hpp"
 
 namespace jetlag {
@@ -9,6 +10,7 @@ void add_studies(CLI::App& app, std::optional<Study>& chosen) {
   auto* study = app.add_subcommand("study", "make a table from many runs");
   study->require_subcommand(1);
   add_paper_table(*study, chosen);
+  add_long_runs(*study, chosen);
 }
 
 }  // namespace jetlag

@@ -244,7 +244,9 @@ TEST(BadCommandLine, ExitsWithTwo) {
                                 "study paper_table --step -1",
                                 "study paper_table --until nan",
                                 "study paper_table --rows 9",
-                                "study paper_table --mesh nowhere.mesh"}) {
+                                "study paper_table --mesh nowhere.mesh",
+                                "study kepler --periods 0",
+                                "study brouwer --runs many"}) {
     const Ended run = program(arguments, folder.path());
     EXPECT_EQ(run.exit_code, 2) << arguments << ": " << run.output;
     EXPECT_FALSE(run.output.empty());
