@@ -98,7 +98,11 @@ int read_degree(const Value& integrator, const Value& control) {
   if (!tolerance) return static_cast<int>(integrator.at("degree").integer(1, largest_degree));
   if (integrator.has("degree"))
     tolerance->refuse("left out where integrator.degree is given: one follows from the other");
-  return jorba_zou_degree(tolerance->number({0, 1, false, false, "a number between 0 and 1"}));
+  const int degree = jorba_zou_degree(tolerance->number({0, 1, false, false, "a number between 0 and 1"}));
+  if (degree > largest_degree)
+    tolerance->refuse("larger: it asks for degree " + std::to_string(degree) + ", beyond " +
+                      std::to_string(largest_degree));
+  return degree;
 }
 
 VelocitySeries read_velocity_series(const Value& integrator) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/studies.hpp"
 
+#include "studies/long_runs.hpp"
 #include "studies/paper_table.hpp"
 #include "studies/reference_table.hpp"
 
@@ -11,6 +12,7 @@ void add_studies(CLI::App& app, std::optional<Study>& chosen) {
   study->require_subcommand(1);
   add_paper_table(*study, chosen);
   add_reference_table(*study, chosen);
+  add_long_runs(*study, chosen);
 }
 
 }  // namespace jetlag

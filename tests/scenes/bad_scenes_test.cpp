@@ -146,6 +146,18 @@ const BadScene bad_scenes[] = {
      R"({"until": 1, "dimension": 1, "particles": {"position": [[0]]}, "integrator": {"type": "taylor"},
          "control": {"type": "jorba_zou", "tolerance": 2}})",
      "control.tolerance", "between 0 and 1"},
+    {"ToleranceBeyondTheLargestDegree", "",
+     R"({"until": 1, "dimension": 1, "particles": {"position": [[0]]}, "integrator": {"type": "taylor"},
+         "control": {"type": "jorba_zou", "tolerance": 1e-300}})",
+     "control.tolerance", "degree 347, beyond 256"},
+    {"NeitherDegreeNorTolerance", "",
+     R"({"until": 1, "dimension": 1, "particles": {"position": [[0]]}, "integrator": {"type": "taylor"},
+         "control": {"type": "jorba_zou"}})",
+     "integrator.degree", "missing"},
+    {"ToleranceOfAFixedStep", "",
+     R"({"until": 1, "dimension": 1, "particles": {"position": [[0]]}, "integrator": {"type": "taylor"},
+         "control": {"type": "fixed", "step": 1, "tolerance": 1e-9}})",
+     "control.tolerance", "unknown key"},
     {"CompensatedText", "/integrator/compensated", "\"yes\"", "integrator.compensated", "true or false"},
     {"CompensatedLeapfrog", "/integrator", R"({"type": "leapfrog", "compensated": true})",
      "integrator.compensated", "unknown key"},
@@ -232,7 +244,9 @@ TEST(BadCommandLine, ExitsWithTwo) {
                                 "study paper_table --step -1",
                                 "study paper_table --until nan",
                                 "study paper_table --rows 9",
-                                "study paper_table --mesh nowhere.mesh"}) {
+                                "study paper_table --mesh nowhere.mesh",
+                                "study kepler --periods 0",
+                                "study brouwer --runs many"}) {
     const Ended run = program(arguments, folder.path());
     EXPECT_EQ(run.exit_code, 2) << arguments << ": " << run.output;
     EXPECT_FALSE(run.output.empty());

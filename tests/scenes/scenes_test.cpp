@@ -190,6 +190,15 @@ RunResult run_of_two_bodies(const std::string& integrator, const std::string& co
                                            "until=" + std::to_string(until), "output.frames=1"}));
 }
 
+TEST(Scenes, ToleranceOfJorbaZouChoosesTheDegree) {
+  for (const auto& [tolerance, degree] : {std::pair{"2.2e-16", 20}, {"1e-6", 8}, {"0.5", 2}}) {
+    const RunResult result =
+        run_of_two_bodies(R"({"type": "taylor"})",
+                          R"({"type": "jorba_zou", "tolerance": )" + std::string(tolerance) + "}", 1.0);
+    EXPECT_EQ(result.summary.work.mean_degree(), degree);
+  }
+}
+
 TEST(Scenes, CompensatedSumsAreAnOptionThatIsOff) {
   const auto x = [](const std::string& compensated) {
     const std::string integrator = R"({"type": "taylor", "degree": 20)" + compensated + "}";

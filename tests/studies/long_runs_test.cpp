@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// The studies of long runs print what the tests of long runs hold: steps a period, and errors that rounding explains.
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "support/program.hpp"
+
+namespace jetlag::testing {
+namespace {
+
+/// The lines that a study prints, cut into words.
+std::vector<std::vector<std::string>> table(const std::string& study) {
+  const TemporaryFolder folder;
+  const Ended run = program("study " + study, folder.path());
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+  std::istringstream lines(run.output);
+  std::vector<std::vector<std::string>> rows;
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream in(line);
+    rows.emplace_back();
+    for (std::string word; in >> word;) rows.back().push_back(word);
+  }
+  return rows;
+}
+
+TEST(KeplerStudy, TellsStepsAndErrors) {
+  const auto rows = table("kepler --periods 5 --runs 2");
+  ASSERT_EQ(rows.size(), 3u + 6u);
+  const int steps[] = {74, 120, 166};
+  // Errors over 1000 periods, of which those over 5 are a fourteenth or, with luck, up to 4 times that: a third.
+  const double errors[] = {2e-13, 2e-12, 9e-12};
+  for (int i = 0; i < 6; ++i) {
+    const auto& row = rows[3 + i];  // e, sums, steps, first error, rms, largest, position
+    ASSERT_EQ(row.size(), 7u);
+    EXPECT_EQ(row[0], i % 3 == 0 ? "0.9" : i % 3 == 1 ? "0.99" : "0.999");
+    EXPECT_EQ(row[1], i < 3 ? "plain" : "compensated");
+    EXPECT_LE(std::stod(row[2]), steps[i % 3] + 1.0);  // the last step of 5 periods is a short one
+    EXPECT_LE(std::stod(row[5]), errors[i % 3] / 3);
+    EXPECT_GT(std::stod(row[4]), 0.0);
+    EXPECT_LE(std::stod(row[4]), std::stod(row[5]));
+    EXPECT_LE(std::stod(row[6]), 1e-6);
+  }
+}
+
+TEST(BrouwerStudy, TellsHowErrorsGrow) {
+  const auto rows = table("brouwer --periods 20 --runs 2");
+  ASSERT_EQ(rows.size(), 2u + 5u + 1u);
+  const char* periods[] = {"1", "2", "5", "10", "20"};
+  for (int i = 0; i < 5; ++i) {
+    const auto& row = rows[2 + i];  // periods, rms, mean, steps
+    ASSERT_EQ(row.size(), 4u);
+    EXPECT_EQ(row[0], periods[i]);
+    // A rounding of the energy is 1e-16 of it; 40 steps a period, 20 periods: 30 of them at random.
+    EXPECT_LE(std::stod(row[1]), 1e-14);
+    EXPECT_NEAR(std::stod(row[3]), 38.0, 1.0);
+  }
+  EXPECT_EQ(rows[7][0] + " " + rows[7][1], "the rms");
+}
+
+}  // namespace
+}  // namespace jetlag::testing
