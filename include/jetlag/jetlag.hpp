@@ -20,6 +20,7 @@
 #include "jetlag/series/eigen.hpp"
 #include "jetlag/series/elementary.hpp"
 #include "jetlag/series/jet.hpp"
+#include "jetlag/series/radius.hpp"
 #include "jetlag/tape/program.hpp"
 #include "jetlag/tape/recording.hpp"
 #include "jetlag/truncation/draws.hpp"
