@@ -9,6 +9,7 @@
 #include <immintrin.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "jetlag/tape/kernels.hpp"
 
@@ -90,31 +91,68 @@ inline Lane sqrt(const Lane& a) {
 }
 
 /// f lane by lane, for the functions that the instruction set lacks; they are needed at order 0 only.
-template <class F>
-inline Lane each_lane(const Lane& a, F f) {
+[[gnu::noinline]] inline Lane each_lane(const Lane& a, double (*f)(double)) {
   alignas(64) double x[Lane::width];
   Lane::store(x, a);
   for (double& v : x) v = f(v);
   return Lane::load(x);
 }
-inline Lane exp(const Lane& a) {
-  return each_lane(a, [](double x) { return ::exp(x); });
-}
-inline Lane log(const Lane& a) {
-  return each_lane(a, [](double x) { return ::log(x); });
-}
-inline Lane sin(const Lane& a) {
-  return each_lane(a, [](double x) { return ::sin(x); });
-}
-inline Lane cos(const Lane& a) {
-  return each_lane(a, [](double x) { return ::cos(x); });
-}
-inline Lane pow(const Lane& a, const Lane& b) {
+[[gnu::noinline]] inline Lane each_lane(const Lane& a, const Lane& b, double (*f)(double, double)) {
   alignas(64) double x[Lane::width], y[Lane::width];
   Lane::store(x, a);
   Lane::store(y, b);
-  for (int i = 0; i < Lane::width; ++i) x[i] = ::pow(x[i], y[i]);
+  for (int i = 0; i < Lane::width; ++i) x[i] = f(x[i], y[i]);
   return Lane::load(x);
+}
+inline Lane cbrt(const Lane& a) { return each_lane(a, ::cbrt); }
+inline Lane exp(const Lane& a) { return each_lane(a, ::exp); }
+inline Lane expm1(const Lane& a) { return each_lane(a, ::expm1); }
+inline Lane log(const Lane& a) { return each_lane(a, ::log); }
+inline Lane log1p(const Lane& a) { return each_lane(a, ::log1p); }
+inline Lane log2(const Lane& a) { return each_lane(a, ::log2); }
+inline Lane log10(const Lane& a) { return each_lane(a, ::log10); }
+inline Lane sin(const Lane& a) { return each_lane(a, ::sin); }
+inline Lane cos(const Lane& a) { return each_lane(a, ::cos); }
+inline Lane tan(const Lane& a) { return each_lane(a, ::tan); }
+inline Lane asin(const Lane& a) { return each_lane(a, ::asin); }
+inline Lane acos(const Lane& a) { return each_lane(a, ::acos); }
+inline Lane atan(const Lane& a) { return each_lane(a, ::atan); }
+inline Lane sinh(const Lane& a) { return each_lane(a, ::sinh); }
+inline Lane cosh(const Lane& a) { return each_lane(a, ::cosh); }
+inline Lane tanh(const Lane& a) { return each_lane(a, ::tanh); }
+inline Lane asinh(const Lane& a) { return each_lane(a, ::asinh); }
+inline Lane acosh(const Lane& a) { return each_lane(a, ::acosh); }
+inline Lane atanh(const Lane& a) { return each_lane(a, ::atanh); }
+inline Lane erf(const Lane& a) { return each_lane(a, ::erf); }
+inline Lane erfc(const Lane& a) { return each_lane(a, ::erfc); }
+inline Lane exp_of_minus_square(const Lane& a) {
+  return each_lane(a, [](double x) { return jetlag::exp_of_minus_square(x); });
+}
+inline Lane pow(const Lane& a, const Lane& b) { return each_lane(a, b, ::pow); }
+inline Lane hypot(const Lane& a, const Lane& b) { return each_lane(a, b, ::hypot); }
+inline Lane atan2(const Lane& a, const Lane& b) { return each_lane(a, b, ::atan2); }
+
+// Choices (series/conditions.hpp, series/sign.hpp): each lane by its own number.
+inline Lane less(const Lane& a, const Lane& b) {
+  return each_register([&](int i) { return a.r[i] < b.r[i] ? broadcast(1) : broadcast(0); });
+}
+inline Lane less_or_equal(const Lane& a, const Lane& b) {
+  return each_register([&](int i) { return a.r[i] <= b.r[i] ? broadcast(1) : broadcast(0); });
+}
+inline Lane where(const Lane& c, const Lane& a, const Lane& b) {
+  return each_register([&](int i) { return c.r[i] == broadcast(0) ? b.r[i] : a.r[i]; });
+}
+inline Lane sign_of(const Lane& x) {  // NaN, which is neither above nor below nor at 0, stays what it is
+  return each_register([&](int i) {
+    const Register zero = broadcast(0), not_above = x.r[i] < zero ? broadcast(-1) : x.r[i];
+    return x.r[i] > zero ? broadcast(1) : not_above + zero;
+  });
+}
+inline Lane by_sign(const Lane& s, const Lane& a, const Lane& b) {
+  return each_register([&](int i) {
+    const Register not_above = s.r[i] <= broadcast(0) ? a.r[i] : s.r[i];
+    return s.r[i] > broadcast(0) ? b.r[i] : not_above;
+  });
 }
 
 extern const KernelTable<double> table;
@@ -130,6 +168,14 @@ inline JETLAG_INSTRUCTION_SET_NAME::Lane multiply_add(const JETLAG_INSTRUCTION_S
   using namespace JETLAG_INSTRUCTION_SET_NAME;
   return each_register([&](int i) { return fused(a.r[i], b.r[i], c.r[i]); });
 }
+
+template <>
+struct Constants<JETLAG_INSTRUCTION_SET_NAME::Lane> {
+  using Lane = JETLAG_INSTRUCTION_SET_NAME::Lane;
+  static Lane log2_e() { return Lane(std::numbers::log2e); }
+  static Lane log10_e() { return Lane(std::numbers::log10e); }
+  static Lane two_over_sqrt_pi() { return Lane(2 * std::numbers::inv_sqrtpi); }
+};
 }  // namespace jetlag
 
 namespace jetlag::JETLAG_INSTRUCTION_SET_NAME {

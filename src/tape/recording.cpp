@@ -85,6 +85,19 @@ bool both_static(const Recorded& u, const Recorded& v) {
   return !recording || (recording->is_static(u) && recording->is_static(v));
 }
 bool is_static(const Recorded& u) { return u.is_number() || u.recording()->is_static(u); }
+
+/// log(u), also of a number recorded: the tape computes it in the precision of its own number type.
+Recorded log_of(const Recorded& u, Recording& recording) {
+  return log(Recorded(&recording, recording.node_of(u)));
+}
+
+/// (x^2 + y^2) / h_0, h_0 = hypot(x_0, y_0): one value for hypot(x, y), hypot(y, x) and atan2 of both.
+Recorded scaled_squares(const Recorded& x, const Recorded& y) {
+  if (is_static(x) != is_static(y) ? is_static(x) : x.node() > y.node()) return scaled_squares(y, x);
+  const Recorded length = detail::record<Length>(x, y);
+  if (is_static(y) && !is_static(x)) return detail::record<ScaledSquare>(length, x);
+  return detail::record<ScaledSumOfSquares>(length, x, y);
+}
 }  // namespace
 
 Recorded operator+(const Recorded& u, const Recorded& v) {
@@ -119,7 +132,20 @@ Recorded operator*(const Recorded& u, const Recorded& v) {
 Recorded pow(const Recorded& u, const Recorded& v) {
   if (v.is_number()) return pow(u, v.value());
   if (is_static(v)) return detail::record<Power>(v, u);
-  return exp(v * log(u));
+  return detail::record<PowerOfSeries>(u, v, v * log_of(u, *v.recording()));
+}
+
+Recorded hypot(const Recorded& x, const Recorded& y) {
+  if (both_static(x, y)) return detail::record<Length>(x, y);
+  return detail::record<RootOfScaled>(scaled_squares(x, y));
+}
+
+Recorded atan2(const Recorded& y, const Recorded& x) {
+  const Recorded w = scaled_squares(x, y);
+  if (both_static(x, y)) return detail::record<Atan2>(y, x, w);
+  if (is_static(y)) return detail::record<Atan2OfConstant>(y, x, w);
+  if (is_static(x)) return detail::record<Atan2OverConstant>(x, y, w);
+  return detail::record<Atan2>(y, x, w);
 }
 
 Recorded operator/(const Recorded& u, const Recorded& v) {

@@ -1,31 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Jets against Boost.Math's automatic differentiation, an implementation by other means (nested polynomials
-// in x - x_0, composed by Horner's rule, no recurrences), in 50 digits.
+// Jets against Boost.Math's automatic differentiation: arithmetic and the first functions.
+#include "support/autodiff.hpp"
+
 #include <gtest/gtest.h>
 
-#include <boost/math/differentiation/autodiff.hpp>
-#include <boost/math/special_functions/factorials.hpp>
-#include <vector>
-
 #include "jetlag/series/elementary.hpp"
-#include "support/close.hpp"
-#include "support/digits50.hpp"
 
 namespace jetlag::testing {
 namespace {
-
-constexpr int degree = 8;
-
-/// f at x + t: the jet against derivatives over factorials.
-template <class F>
-void expect_same_derivatives(F f, double x) {
-  using J = Jet<RunningError<double>, degree>;
-  const auto truth = f(boost::math::differentiation::make_fvar<Digits50, degree>(Digits50(x)));
-  EXPECT_THAT(f(J::variable(x)), HasCoefficients([&](int k) {
-                return Digits50(truth.derivative(k) / boost::math::factorial<Digits50>(k));
-              }))
-      << "at " << x;
-}
 
 /// At points where all functions below exist.
 template <class F>

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <string>
+#include <type_traits>
 
 #include "jetlag/series/functions.hpp"
 
@@ -27,5 +28,17 @@ struct NameOfRule {
     return name;
   }
 };
+
+/// Where coefficient 0 of the operands is drawn from: within the range of the rule.
+struct Interval {
+  double low, high;
+};
+template <class R>
+constexpr Interval domain() {
+  if (std::is_same_v<R, Asin> || std::is_same_v<R, Acos> || std::is_same_v<R, Atanh>) return {0.125, 0.875};
+  if (std::is_same_v<R, Acosh> || std::is_same_v<R, HyperbolicLength>) return {1.125, 2.0};
+  if (std::is_same_v<R, Sign> || std::is_same_v<R, Abs> || std::is_same_v<R, BySign>) return {-1.0, 1.0};
+  return {0.5, 2.0};
+}
 
 }  // namespace jetlag::testing

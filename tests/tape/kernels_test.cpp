@@ -43,7 +43,7 @@ Operands<R> random_operands() {
   Operands<R> all(elements);
   for (auto& operands : all)
     for (int a = 0; a < arity<R>; ++a) {
-      operands[a][0] = draw(0.5, 2.0);
+      operands[a][0] = draw(domain<R>().low, domain<R>().high);
       if (R::reads[a] != Reads::constant)
         for (int k = 1; k <= degree; ++k) operands[a][k] = draw(-1, 1) * std::ldexp(1.0, -k);
     }
@@ -151,7 +151,8 @@ TYPED_TEST(KernelLaws, NotFiniteLanesLeaveTheOthersAlone) {
     for (int e = 0; e < elements; ++e)
       for (int k = 0; k <= degree && std::ranges::find(ill, e) == std::end(ill); ++k)
         EXPECT_TRUE(same_bits(after[e][k], before[e][k])) << "element " << e << ", order " << k;
-    if (arity < TypeParam >> 0) {
+    constexpr bool is_comparison = std::is_same_v<TypeParam, Less> || std::is_same_v<TypeParam, LessOrEqual>;
+    if (arity < TypeParam >> 0 && !is_comparison) {   // a comparison with NaN does not hold
       EXPECT_FALSE(std::isfinite(after[ill[0]][0]));  // and the ill lane is not made well
     }
   }

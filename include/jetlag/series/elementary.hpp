@@ -6,10 +6,23 @@
 #include <cmath>
 #include <concepts>
 
+#include "jetlag/series/constants.hpp"
 #include "jetlag/series/functions.hpp"
 #include "jetlag/series/jet.hpp"
 
 namespace jetlag {
+
+// Plain numbers: jetlag::sin(x) is written for all.
+using std::acos, std::acosh, std::asin, std::asinh, std::atan, std::atan2, std::atanh, std::cbrt, std::cos,
+    std::cosh, std::erf, std::erfc, std::exp, std::expm1, std::hypot, std::log, std::log10, std::log1p,
+    std::log2, std::pow, std::sin, std::sinh, std::sqrt, std::tan, std::tanh;
+
+template <class T, int N>
+struct Constants<Jet<T, N>> {
+  static Jet<T, N> log2_e() { return Constants<T>::log2_e(); }
+  static Jet<T, N> log10_e() { return Constants<T>::log10_e(); }
+  static Jet<T, N> two_over_sqrt_pi() { return Constants<T>::two_over_sqrt_pi(); }
+};
 
 /// True for the types that the elementary functions of this file take. Specialised by each of them.
 template <class S>
@@ -30,10 +43,24 @@ S sqrt(const S& u) {
   return lift<Sqrt, S>(u);
 }
 
+/// Range: u_0 != 0. At u_0 = 0 coefficient 1 is not finite.
+template <Series S>
+S cbrt(const S& u) {
+  return lift<Cbrt, S>(u);
+}
+
+// ---- exponentials and logarithms -------------------------------------------------------------------------
+
 /// Range: all reals.
 template <Series S>
 S exp(const S& u) {
   return lift<Exp, S>(u);
+}
+
+/// exp(u) - 1, without cancellation at u_0 = 0.   Range: all reals.
+template <Series S>
+S expm1(const S& u) {
+  return lift<Expm1, S>(u, exp(u));
 }
 
 /// Range: u_0 > 0. At u_0 = 0 coefficient 0 is not finite.
@@ -41,6 +68,26 @@ template <Series S>
 S log(const S& u) {
   return lift<Log, S>(u);
 }
+
+/// log(1 + u), without cancellation at u_0 = 0.   Range: u_0 > -1. At u_0 = -1 coefficient 0 is not finite.
+template <Series S>
+S log1p(const S& u) {
+  return lift<Log1p, S>(u);
+}
+
+/// Range: u_0 > 0. At u_0 = 0 coefficient 0 is not finite.
+template <Series S>
+S log2(const S& u) {
+  return lift<Log2, S>(u);
+}
+
+/// Range: u_0 > 0. At u_0 = 0 coefficient 0 is not finite.
+template <Series S>
+S log10(const S& u) {
+  return lift<Log10, S>(u);
+}
+
+// ---- trigonometric functions and their inverses ----------------------------------------------------------
 
 /// Range: all reals.
 template <Series S>
@@ -53,6 +100,126 @@ template <Series S>
 S cos(const S& u) {
   return lift_coupled<Sin, Cos>(u).second;
 }
+
+/// Range: u_0 is no odd multiple of pi/2.
+template <Series S>
+S tan(const S& u) {
+  return lift_coupled<Tan, SecantSquared>(u).first;
+}
+
+/// Range: |u_0| < 1. At +-1 coefficient 1 is the first that is not finite.
+template <Series S>
+S asin(const S& u) {
+  return lift<Asin, S>(u, sqrt(lift<OneMinusSquare, S>(u)));
+}
+
+/// Range: |u_0| < 1. At +-1 coefficient 1 is the first that is not finite.
+template <Series S>
+S acos(const S& u) {
+  return lift<Acos, S>(u, sqrt(lift<OneMinusSquare, S>(u)));
+}
+
+/// Range: all reals.
+template <Series S>
+S atan(const S& u) {
+  return lift<Atan, S>(u, 1.0 + square(u));
+}
+
+// ---- polar coordinates -----------------------------------------------------------------------------------
+
+namespace detail {
+/// (x^2 + y^2) / h_0, h_0 = hypot(x_0, y_0).
+template <class T, int N>
+Jet<T, N> scaled_squares(const Jet<T, N>& x, const Jet<T, N>& y) {
+  return lift<ScaledSumOfSquares, Jet<T, N>>(lift<Length, Jet<T, N>>(x, y), x, y);
+}
+template <class T, int N, ScalarOf<Jet<T, N>> X>
+Jet<T, N> scaled_squares(const Jet<T, N>& x, const X& c) {
+  return lift<ScaledSquare, Jet<T, N>>(lift<Length, Jet<T, N>>(x, c), x);
+}
+}  // namespace detail
+
+/// sqrt(x^2 + y^2), without overflow.   Range: (x_0, y_0) != (0, 0). There coefficient 1 is not finite.
+template <class T, int N>
+Jet<T, N> hypot(const Jet<T, N>& x, const Jet<T, N>& y) {
+  return lift<RootOfScaled, Jet<T, N>>(detail::scaled_squares(x, y));
+}
+template <class T, int N, ScalarOf<Jet<T, N>> X>
+Jet<T, N> hypot(const Jet<T, N>& x, const X& c) {
+  return lift<RootOfScaled, Jet<T, N>>(detail::scaled_squares(x, c));
+}
+template <class T, int N, ScalarOf<Jet<T, N>> X>
+Jet<T, N> hypot(const X& c, const Jet<T, N>& y) {
+  return hypot(y, c);
+}
+
+/// The angle of (x, y), in [-pi, pi] at t = 0.   Range: (x_0, y_0) != (0, 0). There coefficient 0 is not finite.
+template <class T, int N>
+Jet<T, N> atan2(const Jet<T, N>& y, const Jet<T, N>& x) {
+  return lift<Atan2, Jet<T, N>>(y, x, detail::scaled_squares(x, y));
+}
+template <class T, int N, ScalarOf<Jet<T, N>> X>
+Jet<T, N> atan2(const Jet<T, N>& y, const X& c) {
+  return lift<Atan2OverConstant, Jet<T, N>>(c, y, detail::scaled_squares(y, c));
+}
+template <class T, int N, ScalarOf<Jet<T, N>> X>
+Jet<T, N> atan2(const X& c, const Jet<T, N>& x) {
+  return lift<Atan2OfConstant, Jet<T, N>>(c, x, detail::scaled_squares(x, c));
+}
+
+// ---- hyperbolic functions and their inverses -------------------------------------------------------------
+
+/// Range: all reals.
+template <Series S>
+S sinh(const S& u) {
+  return lift_coupled<Sinh, Cosh>(u).first;
+}
+
+/// Range: all reals.
+template <Series S>
+S cosh(const S& u) {
+  return lift_coupled<Sinh, Cosh>(u).second;
+}
+
+/// Range: all reals.
+template <Series S>
+S tanh(const S& u) {
+  return lift_coupled<Tanh, HyperbolicSecantSquared>(u).first;
+}
+
+/// Range: all reals.
+template <Series S>
+S asinh(const S& u) {
+  return lift<Asinh, S>(u, hypot(u, 1.0));
+}
+
+/// Range: u_0 > 1. At 1 coefficient 1 is the first that is not finite.
+template <Series S>
+S acosh(const S& u) {
+  return lift<Acosh, S>(u, lift<RootOfScaled, S>(lift<ScaledSquare, S>(lift<HyperbolicLength, S>(u), u)));
+}
+
+/// Range: |u_0| < 1. At +-1 coefficient 0 is not finite.
+template <Series S>
+S atanh(const S& u) {
+  return lift<Atanh, S>(u, lift<OneMinusSquare, S>(u));
+}
+
+// ---- error functions -------------------------------------------------------------------------------------
+
+/// Range: all reals.
+template <Series S>
+S erf(const S& u) {
+  return lift<Erf, S>(u, lift<Gaussian, S>(u, square(u)));
+}
+
+/// 1 - erf(u), without cancellation at large u_0.   Range: all reals.
+template <Series S>
+S erfc(const S& u) {
+  return lift<Erfc, S>(u, lift<Gaussian, S>(u, square(u)));
+}
+
+// ---- powers ----------------------------------------------------------------------------------------------
 
 /// u^n for a whole number n, by repeated squaring: holds for any u_0 (n < 0: u_0 != 0; n > INT_MIN).   Cost: <= 2 log2 |n| products.
 template <Series S>
@@ -73,14 +240,21 @@ S pow(const S& u, A a) {
 }
 
 /// u^v = exp(v log(u)); a v without terms beyond the first is a number, as above.
-/// Range: u_0 > 0. At u_0 = 0 coefficient 0 is not finite.
+/// Range: u_0 > 0. At u_0 = 0 coefficient 1 is not finite.
 template <class T, int N>
 Jet<T, N> pow(const Jet<T, N>& u, const Jet<T, N>& v) {
-  if (v != Jet<T, N>(v[0])) return exp(v * log(u));
+  if (v != Jet<T, N>(v[0])) return lift<PowerOfSeries, Jet<T, N>>(u, v, v * log(u));
   if constexpr (std::floating_point<T>)
     return pow(u, v[0]);
   else
     return lift<Power, Jet<T, N>>(v[0], u);
+}
+
+/// c^v = exp(v log(c)) for a number c.   Range: c > 0.
+template <class T, int N, ScalarOf<Jet<T, N>> X>
+Jet<T, N> pow(const X& c, const Jet<T, N>& v) {
+  using std::log;
+  return lift<PowerOfSeries, Jet<T, N>>(c, v, v * T(log(T(c))));
 }
 
 }  // namespace jetlag

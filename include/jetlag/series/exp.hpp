@@ -19,4 +19,15 @@ struct Exp {
   }
 };
 
+/// v = exp(u) - 1 with e = exp(u):   v_0 = expm1(u_0),   v_k = e_k.
+/// Operands: u, e.   Range: all reals.
+struct Expm1 {
+  static constexpr const char* name = "expm1";
+  static constexpr std::array reads{Reads::newest, Reads::newest, Reads::nothing};
+  static auto coefficient(int k, const auto& u, const auto& e, const auto&) {
+    using std::expm1;
+    return k == 0 ? expm1(u[0]) : e[k];
+  }
+};
+
 }  // namespace jetlag

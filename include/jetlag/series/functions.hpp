@@ -6,11 +6,20 @@
 #include <type_traits>
 
 #include "jetlag/series/arithmetic.hpp"
+#include "jetlag/series/cbrt.hpp"
+#include "jetlag/series/conditions.hpp"
+#include "jetlag/series/erf.hpp"
 #include "jetlag/series/exp.hpp"
+#include "jetlag/series/hyperbolic.hpp"
+#include "jetlag/series/inverse_hyperbolic.hpp"
+#include "jetlag/series/inverse_trigonometric.hpp"
 #include "jetlag/series/log.hpp"
+#include "jetlag/series/polar.hpp"
 #include "jetlag/series/power.hpp"
+#include "jetlag/series/sign.hpp"
 #include "jetlag/series/sin_cos.hpp"
 #include "jetlag/series/sqrt.hpp"
+#include "jetlag/series/tan.hpp"
 
 namespace jetlag {
 
@@ -19,23 +28,32 @@ struct RuleList {
   static constexpr int size = sizeof...(R);
 };
 
-using Rules = RuleList<Embed,             //
-                       Add,               //
-                       Subtract,          //
-                       Negate,            //
-                       Offset,            //
-                       Scale,             //
-                       Multiply,          //
-                       Square,            //
-                       Divide,            //
-                       DivideByConstant,  //
-                       Reciprocal,        //
-                       Sqrt,              //
-                       Power,             //
-                       Exp,               //
-                       Log,               //
-                       Sin,               //
-                       Cos>;
+using Rules = RuleList<Embed,                                                   //
+                       Add,                                                     //
+                       Subtract,                                                //
+                       Negate,                                                  //
+                       Offset,                                                  //
+                       Scale,                                                   //
+                       Multiply,                                                //
+                       Square,                                                  //
+                       Divide,                                                  //
+                       DivideByConstant,                                        //
+                       Reciprocal,                                              //
+                       Sqrt, Cbrt,                                              //
+                       Power, PowerOfSeries,                                    //
+                       Exp, Expm1,                                              //
+                       Log, Log1p, Log2, Log10,                                 //
+                       Sin, Cos,                                                //
+                       Tan, SecantSquared,                                      //
+                       Sinh, Cosh,                                              //
+                       Tanh, HyperbolicSecantSquared,                           //
+                       OneMinusSquare, Asin, Acos, Atan,                        //
+                       Asinh, HyperbolicLength, Acosh, Atanh,                   //
+                       Length, ScaledSumOfSquares, ScaledSquare, RootOfScaled,  //
+                       Atan2, Atan2OfConstant, Atan2OverConstant,               //
+                       Gaussian, Erf, Erfc,                                     //
+                       Sign, Abs, BySign,                                       //
+                       Less, LessOrEqual, And, Or, Not, Select>;
 
 namespace detail {
 template <class R, class... Rs>

@@ -23,4 +23,16 @@ struct Power {
   }
 };
 
+/// p = f^g = exp(w), w = g log(f):   p_0 = f_0^g_0,   k p_k = sum_{j=1..k} j w_j p_{k-j}.         Source: p' = w' p.
+/// Operands: f, g, w.   Range: f_0 > 0. At f_0 = 0 coefficient 1 is not finite.
+struct PowerOfSeries {
+  static constexpr const char* name = "power of series";
+  static constexpr std::array reads{Reads::first, Reads::first, Reads::history, Reads::history};
+  static auto coefficient(int k, const auto& f, const auto& g, const auto& w, const auto& p) {
+    using std::pow;
+    using T = std::decay_t<decltype(w[0] * p[0])>;
+    return k == 0 ? T(pow(f[0], g[0])) : T(weighted_convolution(k, 1, k, w, p) / k);
+  }
+};
+
 }  // namespace jetlag

@@ -80,4 +80,14 @@ auto symmetric_convolution(int k, int first, const U& u) {
   return sum;
 }
 
+/// sum_{j=first..k-first} (r u_j) u_{k-j} with a number r, each pair of equal terms computed once; 0 when the range is empty.
+template <class T, class U>
+T scaled_symmetric_convolution(int k, int first, const T& r, const U& u) {
+  T sum(0);
+  for (int j = first; j < k - j; ++j) sum = multiply_add<T>(r * u[j], u[k - j], sum);
+  sum = sum + sum;
+  if (k % 2 == 0 && first <= k / 2) sum = multiply_add<T>(r * u[k / 2], u[k / 2], sum);
+  return sum;
+}
+
 }  // namespace jetlag

@@ -132,7 +132,8 @@ template <Rule A, Rule B, std::same_as<Recorded> S>
 std::pair<S, S> lift_coupled(const S& u) {
   if (u.is_number()) {
     const ConstantSeries<double> x{u.value()}, none{0.0};
-    return {A::coefficient(0, x, none, none), B::coefficient(0, x, none, none)};
+    const ConstantSeries<double> v{A::coefficient(0, x, none, none)};
+    return {v.value, B::coefficient(0, x, v, none)};
   }
   Recording& recording = *u.recording();
   return recording.coupled(rule_id<A>, rule_id<B>, u.node(), recording.is_static(u));
@@ -146,6 +147,9 @@ Recorded operator-(const Recorded& u);
 
 /// u^v: a number or a parameter as exponent, or exp(v log(u)).   Range: u_0 > 0; any u_0 for a whole number.
 Recorded pow(const Recorded& u, const Recorded& v);
+/// As for jets (series/elementary.hpp).
+Recorded hypot(const Recorded& x, const Recorded& y);
+Recorded atan2(const Recorded& y, const Recorded& x);
 inline Recorded operator+(const Recorded& u) { return u; }
 
 inline Recorded& Recorded::operator+=(const Recorded& v) { return *this = *this + v; }
