@@ -17,6 +17,7 @@
 #include "jetlag/motion/system.hpp"
 #include "jetlag/schedule/lockstep.hpp"
 #include "jetlag/series/composition.hpp"
+#include "jetlag/series/comparisons.hpp"
 #include "jetlag/series/eigen.hpp"
 #include "jetlag/series/elementary.hpp"
 #include "jetlag/series/jet.hpp"

@@ -156,4 +156,33 @@ Recorded operator/(const Recorded& u, const Recorded& v) {
   return detail::record<Divide>(u, v);
 }
 
+RecordedCondition operator<(const Recorded& u, const Recorded& v) {
+  return RecordedCondition(detail::record<Less>(u, v));
+}
+RecordedCondition operator<=(const Recorded& u, const Recorded& v) {
+  return RecordedCondition(detail::record<LessOrEqual>(u, v));
+}
+RecordedCondition operator&&(const RecordedCondition& a, const RecordedCondition& b) {
+  return RecordedCondition(detail::record<And>(a.holds(), b.holds()));
+}
+RecordedCondition operator||(const RecordedCondition& a, const RecordedCondition& b) {
+  return RecordedCondition(detail::record<Or>(a.holds(), b.holds()));
+}
+RecordedCondition operator!(const RecordedCondition& a) {
+  return RecordedCondition(detail::record<Not>(a.holds()));
+}
+
+Recorded select(const RecordedCondition& condition, const Recorded& a, const Recorded& b) {
+  const Recorded& holds = condition.holds();
+  if (holds.is_number()) return holds.value() != 0.0 ? a : b;
+  return detail::record<Select>(holds, a, b);
+}
+
+Recorded min(const Recorded& u, const Recorded& v) {
+  return detail::record<BySign>(detail::record<Sign>(u - v), u, v);
+}
+Recorded max(const Recorded& u, const Recorded& v) {
+  return detail::record<BySign>(detail::record<Sign>(u - v), v, u);
+}
+
 }  // namespace jetlag

@@ -14,7 +14,7 @@
 
 namespace jetlag::testing {
 
-/// f at x + t: the jet against derivatives over factorials. f and g are the same function: of a jet, and as Boost has it.
+/// f at x + t: the jet against derivatives over factorials. g is f as Boost has it.
 template <class F, class G>
 void expect_same_derivatives(F f, G g, double x) {
   constexpr int degree = 8;

@@ -6,19 +6,17 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <string_view>
 #include <vector>
 
 #include "jetlag/series/elementary.hpp"
-#include "jetlag/tape/program.hpp"
 #include "jetlag/tape/recording.hpp"
 #include "support/close.hpp"
 #include "support/random.hpp"
 #include "support/rules.hpp"
+#include "support/run_tape.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -27,10 +25,6 @@ constexpr int degree = 12;
 constexpr int elements = 70;  // two blocks of 32 lanes and a part of a third
 using J = Jet<double, degree>;
 using Tracked = Jet<RunningError<double>, degree>;
-
-bool same_bits(double a, double b) {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-}
 
 /// Operands of one rule for each element: series with |u_k| < 2^-k, and a number where a constant is
 /// expected.
@@ -62,26 +56,6 @@ Tape tape_of() {
   return recording.finish({recording.operation(rule_id<R>, operands, false)});
 }
 
-/// A tape over all elements, order by order: the result of each element. Inputs are components 0 .. n - 1.
-template <std::size_t n>
-std::vector<J> run_tape(const Tape& tape, const std::vector<std::array<J, n>>& operands,
-                        const std::vector<double>& parameters, const KernelTable<double>& table) {
-  const Program program(tape);
-  Blocks<double> blocks(program, operands.size(), parameters, table);
-  blocks.reserve(degree + 1);
-  std::vector<J> results(operands.size());
-  for (int k = 0; k <= degree; ++k)
-    for (std::size_t b = 0; b < blocks.blocks(); ++b) {
-      for (const auto& [place, input] : program.inputs)
-        for (int lane = 0; lane < blocks.lanes(); ++lane)
-          blocks.at(b, place, k)[lane] = operands[blocks.element(b, lane)][input.component][k];
-      blocks.run(b, k);
-      for (int lane = 0; lane < blocks.lanes(); ++lane)
-        results[blocks.element(b, lane)][k] = blocks.at(b, program.outputs[0], k)[lane];
-    }
-  return results;
-}
-
 /// The tape of one rule; what it reads as constant is the parameter.
 template <class R>
 std::vector<J> run(const Operands<R>& operands, const KernelTable<double>& table) {
@@ -89,7 +63,7 @@ std::vector<J> run(const Operands<R>& operands, const KernelTable<double>& table
   for (int a = 0; a < arity<R>; ++a)
     if (R::reads[a] == Reads::constant)
       for (const auto& of_element : operands) parameters.push_back(of_element[a][0]);
-  return run_tape<arity<R>>(tape_of<R>(), operands, parameters, table);
+  return run_tape(tape_of<R>(), operands, parameters, table);
 }
 
 /// The rule on jets of another number type.
@@ -169,7 +143,7 @@ TEST(Kernels, ComputeAWholeFunctionAsJetsDo) {  // all rules in one tape, the co
   const auto operands = random_operands<Multiply>();
   for (const auto* table : available_kernels()) {
     SCOPED_TRACE(table->instruction_set);
-    const auto results = run_tape<2>(tape, operands, {}, *table);
+    const auto results = run_tape(tape, operands, {}, *table);
     for (int e = 0; e < elements; ++e) {
       std::array<Tracked, 2> u;
       for (int k = 0; k <= degree; ++k)

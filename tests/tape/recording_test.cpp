@@ -205,10 +205,10 @@ TEST(RecordLaw, RefusesADimensionThatSpaceDoesNotHave) {
 }
 
 template <class T>
-concept Comparable = requires(T x) { x < x; } || requires(T x) { x > 0.0; } || requires(T x) { x == x; } ||
-                     requires(T x) { x ? 1 : 0; } || requires(T x) { static_cast<double>(x); };
-static_assert(Comparable<double>);
-static_assert(!Comparable<Recorded>, "a law cannot branch on a value that is being recorded");
+concept AnswersNow =
+    requires(T x) { x == x; } || requires(T x) { x ? 1 : 0; } || requires(T x) { static_cast<double>(x); };
+static_assert(AnswersNow<double>);
+static_assert(!AnswersNow<Recorded>, "a law cannot branch on a value that is being recorded");
 
 }  // namespace
 }  // namespace jetlag::testing

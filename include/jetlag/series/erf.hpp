@@ -11,7 +11,7 @@
 namespace jetlag {
 
 /// exp(-x^2) to a few units in the last place, also where x^2 is large: its rounding error would be multiplied by it.
-/// exp(-h^2) exp(-(x - h)(x + h)) with h = x rounded to half its digits, so that h^2 is exact.   Source: Veltkamp's split.
+/// exp(-h^2) exp(-(x - h)(x + h)) with h = x rounded to half its digits, so that h^2 is exact (Veltkamp's split).
 template <class T>
 [[gnu::always_inline]] inline T exp_of_minus_square(const T& x) {
   using std::exp, std::ldexp;

@@ -34,7 +34,7 @@ struct Log1p {
   }
 };
 
-/// l = log2(f) = c log(f), c = 1 / log(2):   l_0 = log2(f_0),   l_k = (c f_k - (1/k) sum_{j=1..k-1} j l_j f_{k-j}) / f_0.
+/// l = log2(f), c = 1 / log(2):   l_0 = log2(f_0),   l_k = (c f_k - (1/k) sum_{j=1..k-1} j l_j f_{k-j}) / f_0.
 /// Source: f l' = c f'.   Range: f_0 > 0. At f_0 = 0 coefficient 0 is not finite.
 struct Log2 {
   static constexpr const char* name = "log2";
@@ -47,7 +47,7 @@ struct Log2 {
   }
 };
 
-/// l = log10(f) = c log(f), c = 1 / log(10):   l_0 = log10(f_0),   the rest as for log2.
+/// l = log10(f), c = 1 / log(10):   l_0 = log10(f_0),   the rest as for log2.
 /// Source: f l' = c f'.   Range: f_0 > 0. At f_0 = 0 coefficient 0 is not finite.
 struct Log10 {
   static constexpr const char* name = "log10";

@@ -47,7 +47,7 @@ struct ScaledSquare {
   }
 };
 
-/// s = sqrt(h_0 w) with h_0 = w_0:   s_k = (w_k - sum_{j=1..k-1} (s_j / s_0) s_{k-j}) / 2.         Source: s^2 / s_0 = w.
+/// s = sqrt(w_0 w):   s_0 = w_0,   s_k = (w_k - sum_{j=1..k-1} (s_j / s_0) s_{k-j}) / 2.         Source: s^2 / s_0 = w.
 /// hypot(x, y) when w is one of the above.   Range: w_0 != 0. There coefficient 1 is not finite.
 struct RootOfScaled {
   static constexpr const char* name = "root of scaled";

@@ -80,7 +80,7 @@ auto symmetric_convolution(int k, int first, const U& u) {
   return sum;
 }
 
-/// sum_{j=first..k-first} (r u_j) u_{k-j} with a number r, each pair of equal terms computed once; 0 when the range is empty.
+/// sum_{j=first..k-first} (r u_j) u_{k-j} with a number r, each pair computed once; 0 when the range is empty.
 template <class T, class U>
 T scaled_symmetric_convolution(int k, int first, const T& r, const U& u) {
   T sum(0);

@@ -7,8 +7,10 @@
 //   Tape tape = recording.finish({-4.0 * (x * x)});          // two operations: square, scale
 //
 // Common subexpressions are recorded once, x * x becomes a square, a product with a value that has no series
-// becomes a scaling. A recorded value has no number to compare: `if` on it does not compile.
+// becomes a scaling. A recorded value has no number to compare, and a comparison has no answer yet: it is recorded
+// too, for `select`, `min`, `max`, `abs`. `if` on it does not compile.
 
+#include <concepts>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -17,6 +19,7 @@
 #include <utility>
 #include <vector>
 
+#include "jetlag/series/comparisons.hpp"
 #include "jetlag/series/eigen.hpp"
 #include "jetlag/tape/tape.hpp"
 
@@ -156,6 +159,42 @@ inline Recorded& Recorded::operator+=(const Recorded& v) { return *this = *this 
 inline Recorded& Recorded::operator-=(const Recorded& v) { return *this = *this - v; }
 inline Recorded& Recorded::operator*=(const Recorded& v) { return *this = *this * v; }
 inline Recorded& Recorded::operator/=(const Recorded& v) { return *this = *this / v; }
+
+// ---- choices ---------------------------------------------------------------------------------------------
+
+/// A comparison of recorded values, decided at t = 0 by each element for itself.
+class RecordedCondition {
+ public:
+  explicit RecordedCondition(const Recorded& holds) : holds_(holds) {}
+
+  /// 1 or 0.
+  const Recorded& holds() const { return holds_; }
+
+  template <std::same_as<bool> B>
+  operator B() const {
+    static_assert(!std::same_as<B, bool>,
+                  "a recorded law has no branches: use jetlag::select(condition, a, b)");
+    return false;
+  }
+
+ private:
+  Recorded holds_;
+};
+
+RecordedCondition operator<(const Recorded& u, const Recorded& v);
+RecordedCondition operator<=(const Recorded& u, const Recorded& v);
+inline RecordedCondition operator>(const Recorded& u, const Recorded& v) { return v < u; }
+inline RecordedCondition operator>=(const Recorded& u, const Recorded& v) { return v <= u; }
+RecordedCondition operator&&(const RecordedCondition& a, const RecordedCondition& b);
+RecordedCondition operator||(const RecordedCondition& a, const RecordedCondition& b);
+RecordedCondition operator!(const RecordedCondition& a);
+
+/// a if the condition holds at t = 0, else b. The one that is not selected may be NaN.
+Recorded select(const RecordedCondition& condition, const Recorded& a, const Recorded& b);
+
+/// As for jets (series/comparisons.hpp).
+Recorded min(const Recorded& u, const Recorded& v);
+Recorded max(const Recorded& u, const Recorded& v);
 
 }  // namespace jetlag
 

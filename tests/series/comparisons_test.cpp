@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+// Comparisons of jets, and the functions that choose: select, abs, min, max.
+#include "jetlag/series/comparisons.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "support/digits50.hpp"
+#include "support/random.hpp"
+
+namespace jetlag::testing {
+namespace {
+
+using J = Jet<double, 4>;
+const J t = J::variable(0.0);
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// ---- comparisons -----------------------------------------------------------------------------------------
+
+TEST(Comparison, IsThatOfTheFirstCoefficients) {
+  const J one = J::from({1, 5, 5}), two = J::from({2, -7, 1}), also_one = J::from({1, -3});
+  EXPECT_TRUE(one < two);
+  EXPECT_FALSE(two < one);
+  EXPECT_FALSE(one < also_one);
+  EXPECT_TRUE(one <= also_one);
+  EXPECT_TRUE(one >= also_one);
+  EXPECT_FALSE(one > also_one);
+  EXPECT_TRUE(two > one);
+  EXPECT_FALSE(one == also_one);  // equality is that of series
+}
+
+TEST(Comparison, TakesPlainNumbersOnEitherSide) {
+  const J u = J::from({1, 5});
+  EXPECT_TRUE(u > 0.5);
+  EXPECT_TRUE(u > 0);
+  EXPECT_TRUE(0.5 < u);
+  EXPECT_TRUE(u <= 1.0);
+  EXPECT_TRUE(1.0 >= u);
+  EXPECT_FALSE(2.0 < u);
+}
+
+TEST(Comparison, WithNaNDoesNotHold) {
+  const J u(nan);
+  EXPECT_FALSE(u < 1.0);
+  EXPECT_FALSE(u <= 1.0);
+  EXPECT_FALSE(u > 1.0);
+  EXPECT_FALSE(u >= 1.0);
+}
+
+TEST(Comparison, OfJetsOfJetsIsThatOfTheInnermostNumbers) {
+  using Nested = Jet<Jet<double, 2>, 3>;
+  const Nested u(Jet<double, 2>::from({1, 9})), v(Jet<double, 2>::from({1, -9}));
+  EXPECT_TRUE(u <= v);
+  EXPECT_FALSE(u < v);
+  EXPECT_TRUE(u + 1.0 > v);
+}
+
+// ---- select ----------------------------------------------------------------------------------------------
+
+template <class T>
+T softened(const T& x) {  // x below 1, its root from there on
+  using std::sqrt;
+  return select(x < 1.0, x, sqrt(x));
+}
+
+TEST(Select, ServesNumbersAndJetsAlike) {
+  EXPECT_EQ(softened(0.25), 0.25);
+  EXPECT_EQ(softened(9.0), 3.0);
+  EXPECT_EQ(softened(9.0f), 3.0f);
+  EXPECT_EQ(softened(Digits50(9)), 3);
+  EXPECT_EQ(softened(J::variable(0.25)), J::variable(0.25));
+  EXPECT_EQ(softened(J::variable(4.0)), sqrt(J::variable(4.0)));
+}
+
+TEST(Select, TakesPlainNumbersAsBranches) {
+  EXPECT_EQ(select(t < 1.0, t, 2.0), t);
+  EXPECT_EQ(select(t < 1.0, 2.0, t), J(2.0));
+  EXPECT_EQ(select(t < 1.0, 2, t), J(2.0));
+  EXPECT_EQ(select(t > 1.0, 2, 3.5), 3.5);
+}
+
+TEST(Select, IsNotHarmedByABranchThatIsNotSelected) {
+  EXPECT_EQ(select(t > -1.0, t, log(t - 1.0)), t);
+  EXPECT_EQ(select(t > 1.0, J(nan), 1.0), J(1.0));
+}
+
+TEST(Select,
+     DecidesAtTheExpansionPoint) {  // both pieces of a continuous function are analytic: no kink is seen
+  EXPECT_EQ(select(t < 0.0, -t, t), t);
+}
+
+// ---- the sign of a series --------------------------------------------------------------------------------
+
+/// The coefficients are those of `expected` below j and NaN from there on.
+void expect_kink(const J& actual, int j, const J& expected) {
+  for (int k = 0; k < j; ++k) EXPECT_EQ(actual[k], expected[k]) << k;
+  for (int k = j; k <= J::degree; ++k) EXPECT_TRUE(std::isnan(actual[k])) << k;
+}
+
+TEST(Abs, KeepsTheSignOfTheFirstCoefficient) {
+  const J u = J::from({0.5, -3, 7, 0, -1});
+  EXPECT_EQ(abs(u), u);
+  EXPECT_EQ(abs(-u), u);
+}
+
+TEST(Abs, HasNoKinkAtAZeroOfEvenOrder) {
+  EXPECT_EQ(abs(-t * t), t * t);
+  EXPECT_EQ(abs(-t * t + t * t * t), t * t - t * t * t);
+  EXPECT_EQ(abs(-square(square(t))), square(square(t)));
+}
+
+TEST(Abs, HasAKinkAtAZeroOfOddOrder) {
+  expect_kink(abs(t), 1, J(0.0));
+  expect_kink(abs(t * t * t), 3, J(0.0));
+  expect_kink(abs(t - t * t), 1, J(0.0));  // |t| (1 - t)
+}
+
+TEST(Abs, OfZeroIsZero) { EXPECT_EQ(abs(J(0.0)), J(0.0)); }
+
+TEST(Abs, OfNaNIsNaN) { expect_kink(abs(J(nan)), 0, J(0.0)); }
+
+TEST(Abs, IsTheRootOfTheSquare) {
+  Uniform draw(4);
+  for (int i = 0; i < 20; ++i) {
+    J u;
+    for (int k = 0; k <= J::degree; ++k) u[k] = draw(-1, 1);
+    const J root = sqrt(u * u), size = abs(u);
+    // sqrt divides by 2 |u_0| at each order: a rounding error grows by at most (1 + 4/|u_0|) in each
+    for (int k = 0; k <= J::degree; ++k)
+      EXPECT_NEAR(root[k], size[k], 0x1p-50 * std::pow(1 + 4 / std::abs(u[0]), k)) << k;
+  }
+}
+
+TEST(MinMax, ChooseBySign) {
+  const J u = J::from({1, 2, 3}), v = J::from({2, -1, 0.5});
+  EXPECT_EQ(min(u, v), u);
+  EXPECT_EQ(min(v, u), u);
+  EXPECT_EQ(max(u, v), v);
+  EXPECT_EQ(max(v, u), v);
+}
+
+TEST(MinMax, LookFurtherWhereTheFirstCoefficientsAgree) {
+  const J u = J::from({1, 2, 3}), v = J::from({1, 2, 5, -9});
+  EXPECT_EQ(min(u, v), u);
+  EXPECT_EQ(min(v, u), u);
+  EXPECT_EQ(max(u, v), v);
+  EXPECT_EQ(max(v, u), v);
+}
+
+TEST(MinMax, HaveAKinkWhereTheSeriesCross) {
+  const J u = J::from({1, 2, 3, 4}), v = J::from({1, 2, 3, 5});
+  expect_kink(min(u, v), 3, u);
+  expect_kink(max(u, v), 3, u);
+  expect_kink(max(t, 0.0), 1, J(0.0));
+}
+
+TEST(MinMax, OfEqualSeriesIsEither) {
+  const J u = J::from({1, 2, 3, 4});
+  EXPECT_EQ(min(u, u), u);
+  EXPECT_EQ(max(u, u), u);
+}
+
+TEST(MinMax, TakePlainNumbersOnEitherSide) {
+  const J u = J::from({2, 1});
+  EXPECT_EQ(max(u, 0.0), u);
+  EXPECT_EQ(max(0.0, u), u);
+  EXPECT_EQ(max(u, 3), J(3.0));
+  EXPECT_EQ(min(u, 0), J(0.0));
+  EXPECT_EQ(min(3.0, u), u);
+}
+
+TEST(MinMax, SumToTheSumAndDifferByTheAbsoluteDifference) {
+  Uniform draw(5);
+  for (int i = 0; i < 20; ++i) {
+    J u, v;
+    for (int k = 0; k <= J::degree; ++k) u[k] = draw(-1, 1), v[k] = draw(-1, 1);
+    EXPECT_EQ(min(u, v) + max(u, v), u + v);
+    EXPECT_EQ(max(u, v) - min(u, v), abs(u - v));
+  }
+}
+
+// ---- laws written as numbers are -------------------------------------------------------------------------
+
+template <class T>
+T with_using(const T& x, const T& y) {
+  using std::abs, std::atan2, std::hypot, std::max, std::min, std::pow;
+  return abs(x) + max(x, y) + min(x, y) + hypot(x, y) + atan2(y, x) + pow(x, 2.5);
+}
+template <class T>
+T with_names(const T& x, const T& y) {
+  return jetlag::abs(x) + jetlag::max(x, y) + jetlag::min(x, y) + jetlag::hypot(x, y) + jetlag::atan2(y, x) +
+         jetlag::pow(x, 2.5);
+}
+
+TEST(Choices, AreWrittenAlikeForNumbersAndJets) {
+  const double value = with_using(1.5, -2.0);
+  EXPECT_EQ(value, 1.5 + 1.5 - 2.0 + 2.5 + std::atan2(-2.0, 1.5) + std::pow(1.5, 2.5));
+  EXPECT_EQ(with_names(1.5, -2.0), value);
+  EXPECT_EQ(with_using(J::variable(1.5), J(-2.0))[0], value);
+  EXPECT_EQ(with_names(J::variable(1.5), J(-2.0)), with_using(J::variable(1.5), J(-2.0)));
+}
+
+}  // namespace
+}  // namespace jetlag::testing
