@@ -25,8 +25,7 @@ TEST(Pow, OfANegativeWholeNumberIsAProductOfReciprocals) {  // 2^-15 6^-k C(-15,
   }
 }
 
-TEST(Acosh,
-     OfALargeNumberIsItsLogarithm) {  // acosh(u) = log(2u) + O(u^-2): (-1)^{k-1}/(3^k k) at u = x (1 + t/3)
+TEST(Acosh, OfALargeNumberIsItsLogarithm) {  // log(2u) + O(u^-2): (-1)^{k-1}/(3^k k) at u = x (1 + t/3)
   const double x = 1.7e72;
   J u(x);
   u[1] = x / 3;
