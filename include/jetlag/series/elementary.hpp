@@ -206,7 +206,7 @@ S asinh(const S& u) {
 /// Range: u_0 > 1. At 1 coefficient 1 is the first that is not finite.
 template <Series S>
 S acosh(const S& u) {
-  return lift<Acosh, S>(u, lift<RootOfScaled, S>(lift<ScaledSquare, S>(lift<HyperbolicLength, S>(u), u)));
+  return lift<Acosh, S>(u, sqrt(u - 1.0) * sqrt(u + 1.0));
 }
 
 /// Range: |u_0| < 1. At +-1 coefficient 0 is not finite.
@@ -234,7 +234,7 @@ S erfc(const S& u) {
 /// u^n for a whole number n, by repeated squaring: holds for any u_0 (n < 0: u_0 != 0; n > INT_MIN).   Cost: <= 2 log2 |n| products.
 template <Series S>
 S pow(const S& u, int n) {
-  if (n < 0) return 1.0 / pow(u, -n);
+  if (n < 0) return pow(1.0 / u, -n);
   if (n == 0) return S(1.0);
   if (n == 1) return u;
   const S squared = square(pow(u, n / 2));

@@ -51,7 +51,7 @@ using Rules = RuleList<Embed,                                                   
                        Sinh, Cosh,                                              //
                        Tanh, HyperbolicSecantSquared,                           //
                        OneMinusSquare, Asin, Acos, Atan,                        //
-                       Asinh, HyperbolicLength, Acosh, Atanh,                   //
+                       Asinh, Acosh, Atanh,                                     //
                        Length, ScaledSumOfSquares, ScaledSquare, RootOfScaled,  //
                        Atan2, Atan2OfConstant, Atan2OverConstant,               //
                        Gaussian, Erf, Erfc,                                     //
