@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// A run whose whole motion is kept.
+
+#include <utility>
+
+#include "jetlag/motion/trajectory.hpp"
+#include "jetlag/schedule/schedule.hpp"
+
+namespace jetlag {
+
+/// Runs a schedule as schedule.run(state, until, options) does, and adds the motion of every step to `trajectory`, which
+/// must be empty or end at state.time. Pieces end at the time of the state after the step, so that they meet exactly.
+/// Throws std::invalid_argument as Schedule::run and Trajectory::add do.
+inline Report record(Schedule& schedule, State<double>& state, double until, Trajectory& trajectory,
+                     RunOptions options = {}) {
+  options.after_step = [&trajectory, then = std::move(options.after_step)](const StepView& view) {
+    Piece piece = view.integrator.piece();
+    piece.end = view.state.time;
+    trajectory.add(std::move(piece));
+    return !then || then(view);
+  };
+  return schedule.run(state, until, options);
+}
+
+}  // namespace jetlag
