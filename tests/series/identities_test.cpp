@@ -4,8 +4,8 @@
 
 #include "jetlag/series/elementary.hpp"
 #include "support/close.hpp"
-#include "support/digits50.hpp"
-#include "support/random.hpp"
+#include "support/number_types.hpp"
+#include "support/random_series.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -13,30 +13,9 @@ namespace {
 template <class T>
 class Identities : public ::testing::Test {
  protected:
-  template <int N>
-  using J = Jet<RunningError<T>, N>;
-
-  /// f(u) for series u with random coefficients about several points. |u_k| < 2^-k: analytic in |t| < 2.
   template <int N, class F>
   void at_random_series(F f) {
-    Uniform draw(20);
-    for (const double point : {0.25, 1.0, 1.75, 6.5}) {
-      J<N> u(point);
-      for (int k = 1; k <= N; ++k) u[k] = draw(-1, 1) * std::ldexp(point, -k - 1);
-      SCOPED_TRACE(point);
-      f(u);
-    }
-  }
-};
-
-using NumberTypes = ::testing::Types<float, double, long double, Digits50>;
-struct NameOfNumberType {
-  template <class T>
-  static std::string GetName(int) {
-    return std::is_same_v<T, float>         ? "float"
-           : std::is_same_v<T, double>      ? "double"
-           : std::is_same_v<T, long double> ? "long_double"
-                                            : "digits50";
+    testing::at_random_series<T, N>(f);
   }
 };
 TYPED_TEST_SUITE(Identities, NumberTypes, NameOfNumberType);

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "jetlag/series/elementary.hpp"
+#include "jetlag/series/comparisons.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -44,6 +44,63 @@ TEST(SingularPoint, ReciprocalOfTHasNoValue) {
   EXPECT_EQ(first_not_finite(t / (t * t)), 0);  // a pole remains after cancellation
 }
 
+TEST(SingularPoint, CbrtAtZeroHasItsValueOnly) {
+  EXPECT_EQ(first_not_finite(cbrt(t)), 1);
+  EXPECT_EQ(cbrt(t)[0], 0.0);
+}
+
+TEST(SingularPoint, LogarithmsAtTheEndOfTheirRangeHaveNoValue) {
+  for (const double x : {0.0, -1.0}) {
+    EXPECT_EQ(first_not_finite(log2(x + t)), 0);
+    EXPECT_EQ(first_not_finite(log10(x + t)), 0);
+    EXPECT_EQ(first_not_finite(log1p((x - 1.0) + t)), 0);
+  }
+}
+
+TEST(SingularPoint,
+     RootLikeFunctionsHaveTheirValueOnly) {  // asin(1 - t) = pi/2 - sqrt(2t) + ..., acosh(1 + t) = sqrt(2t)
+  for (const double x : {1.0, -1.0}) {
+    EXPECT_EQ(first_not_finite(asin(x + t)), 1);
+    EXPECT_EQ(first_not_finite(acos(x + t)), 1);
+    EXPECT_EQ(asin(x + t)[0], std::asin(x));
+    EXPECT_EQ(acos(x + t)[0], std::acos(x));
+  }
+  EXPECT_EQ(first_not_finite(acosh(1.0 + t)), 1);
+  EXPECT_EQ(acosh(1.0 + t)[0], 0.0);
+}
+
+TEST(SingularPoint, InverseFunctionsBeyondTheirRangeHaveNoValue) {
+  for (const double x : {2.0, -2.0}) {
+    EXPECT_EQ(first_not_finite(asin(x + t)), 0);
+    EXPECT_EQ(first_not_finite(acos(x + t)), 0);
+    EXPECT_EQ(first_not_finite(atanh(x + t)), 0);
+    EXPECT_EQ(first_not_finite(acosh(x / 4 + t)), 0);
+  }
+  EXPECT_EQ(first_not_finite(atanh(1.0 + t)), 0);
+  EXPECT_EQ(first_not_finite(atanh(-1.0 + t)), 0);
+}
+
+TEST(SingularPoint, PolarCoordinatesAtTheOrigin) {  // the length has a kink there, the angle no value
+  EXPECT_EQ(first_not_finite(hypot(t, t)), 1);
+  EXPECT_EQ(first_not_finite(hypot(t, 0.0)), 1);
+  EXPECT_EQ(hypot(t, t)[0], 0.0);
+  EXPECT_EQ(first_not_finite(atan2(t, t)), 0);
+  EXPECT_EQ(first_not_finite(atan2(t, 0.0)), 0);
+  EXPECT_EQ(first_not_finite(atan2(0.0, t)), 0);
+}
+
+TEST(SingularPoint, PowerOfAMovingExponent) {
+  EXPECT_EQ(first_not_finite(pow(t, 1.0 + t)), 1);  // t log(t) appears
+  EXPECT_EQ(pow(t, 1.0 + t)[0], 0.0);
+  EXPECT_LE(first_not_finite(pow(J(-2.0), 1.0 + t)), 1);
+  EXPECT_EQ(first_not_finite(pow(0.0, t - 1.0)), 0);
+}
+
+TEST(SingularPoint, AbsHasAKink) {
+  EXPECT_EQ(first_not_finite(abs(t)), 1);
+  EXPECT_EQ(first_not_finite(max(t, -t)), 1);
+}
+
 TEST(SingularPoint, QuotientByZeroHasNoValue) {
   EXPECT_EQ(first_not_finite(t / 0.0), 0);
   EXPECT_EQ(first_not_finite(t / J(0.0)), 0);
@@ -62,6 +119,9 @@ TEST(SingularPoint, WhatIsComputedFromAMissingCoefficientIsMissing) {
   EXPECT_EQ(first_not_finite(sqrt(t) * sqrt(t)), 1);
   EXPECT_EQ(first_not_finite(cos(1.0 / t)), 0);
   EXPECT_EQ(first_not_finite(1.0 + t * log(t)), 0);
+  EXPECT_EQ(first_not_finite(tan(atanh(1.0 + t))), 0);
+  EXPECT_EQ(first_not_finite(erf(asin(1.0 - t))), 1);
+  EXPECT_EQ(first_not_finite(atan2(cbrt(t), 1.0)), 1);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "jetlag/series/comparisons.hpp"
 #include "jetlag/tape/recording.hpp"
 #include "support/random.hpp"
+#include "support/recorded_names.hpp"
 #include "support/run_tape.hpp"
 
 namespace jetlag::testing {
@@ -27,8 +28,9 @@ using Pair = std::array<J, 2>;
 template <class F>
 Tape tape_of(F f) {
   Recording recording;
-  return recording.finish(
-      {f(recording.input({Input::Kind::position, 0, 0}), recording.input({Input::Kind::position, 0, 1}))});
+  const Recorded x = recording.input({Input::Kind::position, 0, 0}),
+                 y = recording.input({Input::Kind::position, 0, 1});
+  return recording.finish({f(x, y)});
 }
 
 /// Series whose first coefficients are -1, 0 or 1, so that ties, zeros and kinks of all orders are frequent.
@@ -98,21 +100,8 @@ class RecordChoice : public ::testing::Test {
   const Recorded x_ = recording_.input({Input::Kind::position, 0, 0}),
                  y_ = recording_.input({Input::Kind::position, 0, 1}), a_ = recording_.parameter(0);
 
-  /// "name", "[name]" without a series, "(name)" computed at order 0 alone.
   std::vector<std::string> operations(const Recorded& output) {
-    static const auto names = []<Rule... R>(RuleList<R...>) {
-      return std::vector<std::string>{R::name...};
-    }(Rules{});
-    const Tape tape = recording_.finish({output});
-    const auto ends = tape.ends_at_order_0();
-    std::vector<std::string> found;
-    for (std::size_t i = 0; i < tape.nodes.size(); ++i) {
-      const Node& node = tape.nodes[i];
-      if (node.kind != Node::Kind::operation) continue;
-      const std::string name = names[node.rule];
-      found.push_back(node.is_static ? "[" + name + "]" : ends[i] ? "(" + name + ")" : name);
-    }
-    return found;
+    return names_of_operations(recording_.finish({output}));
   }
 };
 

@@ -12,6 +12,7 @@
 
 #include "jetlag/forces/forces.hpp"
 #include "jetlag/tape/program.hpp"
+#include "support/recorded_names.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -28,18 +29,6 @@ class Record : public ::testing::Test {
   const Recorded a_ = recording_.parameter(0), b_ = recording_.parameter(1);
 };
 
-/// The names of the operations, in their order; those without a series in brackets.
-std::vector<std::string> operations(const Tape& tape) {
-  static const auto names = []<Rule... R>(RuleList<R...>) {
-    return std::vector<std::string>{R::name...};
-  }(Rules{});
-  std::vector<std::string> found;
-  for (const Node& node : tape.nodes)
-    if (node.kind == Node::Kind::operation)
-      found.push_back(node.is_static ? "[" + names[node.rule] + "]" : names[node.rule]);
-  return found;
-}
-
 int inputs(const Tape& tape) {
   int count = 0;
   for (const Node& node : tape.nodes) count += node.kind == Node::Kind::input;
@@ -55,18 +44,19 @@ int histories(const Tape& tape) {
 // ---- what is recorded ------------------------------------------------------------------------------------
 
 TEST_F(Record, HasTheExampleOfItsFirstPage) {
-  EXPECT_THAT(operations(recording_.finish({-4.0 * x_ * x_})), ElementsAre("scale", "multiply"));
-  EXPECT_THAT(operations(recording_.finish({-4.0 * (x_ * x_)})), ElementsAre("square", "scale"));
+  EXPECT_THAT(names_of_operations(recording_.finish({-4.0 * x_ * x_})), ElementsAre("scale", "multiply"));
+  EXPECT_THAT(names_of_operations(recording_.finish({-4.0 * (x_ * x_)})), ElementsAre("square", "scale"));
 }
 
 TEST_F(Record, SharesCommonSubexpressions) {
   const Tape tape = recording_.finish({sqrt(x_ * y_) + sqrt(y_ * x_), sqrt(x_ * y_)});
-  EXPECT_THAT(operations(tape), ElementsAre("multiply", "sqrt", "add"));
+  EXPECT_THAT(names_of_operations(tape), ElementsAre("multiply", "sqrt", "add"));
   EXPECT_EQ(tape.outputs.size(), 2u);
 }
 
 TEST_F(Record, SharesSinAndCosOfTheSameArgument) {
-  EXPECT_THAT(operations(recording_.finish({sin(x_) * cos(x_)})), ElementsAre("sin", "cos", "multiply"));
+  EXPECT_THAT(names_of_operations(recording_.finish({sin(x_) * cos(x_)})),
+              ElementsAre("sin", "cos", "multiply"));
 }
 
 TEST_F(Record, SharesConstantsAndParameters) {
@@ -81,21 +71,21 @@ TEST_F(Record, SharesConstantsAndParameters) {
 }
 
 TEST_F(Record, SeesASquareInAProductWithItself) {
-  EXPECT_THAT(operations(recording_.finish({x_ * x_})), ElementsAre("square"));
+  EXPECT_THAT(names_of_operations(recording_.finish({x_ * x_})), ElementsAre("square"));
   const Recorded same = position(0);
-  EXPECT_THAT(operations(recording_.finish({x_ * same})), ElementsAre("square"));
-  EXPECT_THAT(operations(recording_.finish({pow(x_, 4)})), ElementsAre("square", "square"));
+  EXPECT_THAT(names_of_operations(recording_.finish({x_ * same})), ElementsAre("square"));
+  EXPECT_THAT(names_of_operations(recording_.finish({pow(x_, 4)})), ElementsAre("square", "square"));
 }
 
 TEST_F(Record, TurnsOperationsWithNumbersIntoCheapOnes) {
-  EXPECT_THAT(operations(recording_.finish({a_ * x_})), ElementsAre("scale"));
-  EXPECT_THAT(operations(recording_.finish({x_ * 3.0})), ElementsAre("scale"));
-  EXPECT_THAT(operations(recording_.finish({x_ + a_})), ElementsAre("offset"));
-  EXPECT_THAT(operations(recording_.finish({x_ - 3.0})), ElementsAre("offset"));
-  EXPECT_THAT(operations(recording_.finish({a_ - x_})), ElementsAre("negate", "offset"));
-  EXPECT_THAT(operations(recording_.finish({x_ / a_})), ElementsAre("divide by constant"));
-  EXPECT_THAT(operations(recording_.finish({a_ / x_})), ElementsAre("reciprocal"));
-  EXPECT_THAT(operations(recording_.finish({y_ / x_})), ElementsAre("divide"));
+  EXPECT_THAT(names_of_operations(recording_.finish({a_ * x_})), ElementsAre("scale"));
+  EXPECT_THAT(names_of_operations(recording_.finish({x_ * 3.0})), ElementsAre("scale"));
+  EXPECT_THAT(names_of_operations(recording_.finish({x_ + a_})), ElementsAre("offset"));
+  EXPECT_THAT(names_of_operations(recording_.finish({x_ - 3.0})), ElementsAre("offset"));
+  EXPECT_THAT(names_of_operations(recording_.finish({a_ - x_})), ElementsAre("negate", "offset"));
+  EXPECT_THAT(names_of_operations(recording_.finish({x_ / a_})), ElementsAre("divide by constant"));
+  EXPECT_THAT(names_of_operations(recording_.finish({a_ / x_})), ElementsAre("reciprocal"));
+  EXPECT_THAT(names_of_operations(recording_.finish({y_ / x_})), ElementsAre("divide"));
 }
 
 TEST_F(Record, LeavesOutOperationsThatChangeNothing) {
@@ -104,8 +94,9 @@ TEST_F(Record, LeavesOutOperationsThatChangeNothing) {
 }
 
 TEST_F(Record, ComputesPlainNumbersAtOnce) {
-  EXPECT_THAT(operations(recording_.finish({x_ * (Recorded(2.0) + Recorded(3.0)) * sqrt(Recorded(4.0))})),
-              ElementsAre("scale", "scale"));
+  EXPECT_THAT(
+      names_of_operations(recording_.finish({x_ * (Recorded(2.0) + Recorded(3.0)) * sqrt(Recorded(4.0))})),
+      ElementsAre("scale", "scale"));
   const Recorded one = 1.0, angle = 0.5;
   EXPECT_EQ((one + one).value(), 2.0);
   EXPECT_EQ(exp(one).value(), std::exp(1.0));
@@ -116,7 +107,7 @@ TEST_F(Record, ComputesPlainNumbersAtOnce) {
 
 TEST_F(Record, GivesNoSeriesToConstantsAndParameters) {
   const Tape tape = recording_.finish({sqrt(a_ * a_ + b_) * x_});
-  EXPECT_THAT(operations(tape), ElementsAre("[multiply]", "[add]", "[sqrt]", "scale"));
+  EXPECT_THAT(names_of_operations(tape), ElementsAre("[multiply]", "[add]", "[sqrt]", "scale"));
   EXPECT_EQ(histories(tape), 0);
   EXPECT_FALSE(tape.is_static());
   EXPECT_TRUE(recording_.finish({sin(a_) - 2.0}).is_static());
@@ -125,9 +116,9 @@ TEST_F(Record, GivesNoSeriesToConstantsAndParameters) {
 TEST_F(Record, PrunesWhatNoOutputNeeds) {
   const Recorded unused = exp(x_ * y_) + b_;
   const Tape tape = recording_.finish({2.0 * y_});
-  EXPECT_THAT(operations(tape), ElementsAre("scale"));
+  EXPECT_THAT(names_of_operations(tape), ElementsAre("scale"));
   EXPECT_EQ(inputs(tape), 1);
-  EXPECT_EQ(operations(recording_.finish({unused})).size(), 3u);  // still there for a later tape
+  EXPECT_EQ(names_of_operations(recording_.finish({unused})).size(), 3u);  // still there for a later tape
 }
 
 TEST_F(Record, KeepsTheHistoryOnlyOfWhatARuleReads) {
@@ -153,7 +144,7 @@ TEST(RecordedSpring, ReadsTheSeparationOnly) {
       EXPECT_EQ(node.input.kind, Input::Kind::separation);
     }
   }
-  EXPECT_THAT(operations(tape),
+  EXPECT_THAT(names_of_operations(tape),
               UnorderedElementsAre("squared norm of 3", "sqrt", "[negate]", "offset", "scale",  // k (|d| - L)
                                    "divide", "multiply", "multiply", "multiply"));
 }

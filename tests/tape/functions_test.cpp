@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+// Every function on a tape is what it is on jets, on every instruction set; and what it costs there.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "jetlag/series/comparisons.hpp"
+#include "jetlag/tape/recording.hpp"
+#include "support/close.hpp"
+#include "support/random.hpp"
+#include "support/recorded_names.hpp"
+#include "support/run_tape.hpp"
+
+namespace jetlag::testing {
+namespace {
+
+using ::testing::UnorderedElementsAre;
+
+constexpr int degree = 12;
+constexpr int elements = 70;  // two blocks of 32 lanes and a part of a third
+using J = Jet<double, degree>;
+using Tracked = Jet<RunningError<double>, degree>;
+using Operands = std::vector<std::array<J, 2>>;
+
+template <class F>
+struct Named {
+  const char* name;
+  F f;
+};
+template <class F>
+Named(const char*, F) -> Named<F>;
+
+/// Functions of x and y, 1/8 < x_0 < 7/8 < 1 < y_0 < 2; further out each leaves its range somewhere.
+constexpr auto functions = std::tuple{
+    Named{"square root", [](const auto& x, const auto&) { return sqrt(x); }},
+    Named{"cbrt", [](const auto& x, const auto&) { return cbrt(x); }},
+    Named{"real power", [](const auto& x, const auto&) { return pow(x, 1.5); }},
+    Named{"negative power", [](const auto& x, const auto&) { return pow(x, -2); }},
+    Named{"power of a number", [](const auto& x, const auto&) { return pow(2.5, x); }},
+    Named{"power", [](const auto& x, const auto& y) { return pow(x, y); }},
+    Named{"exp", [](const auto& x, const auto&) { return exp(x); }},
+    Named{"expm1", [](const auto& x, const auto&) { return expm1(x); }},
+    Named{"log", [](const auto& x, const auto&) { return log(x); }},
+    Named{"log1p", [](const auto& x, const auto&) { return log1p(x); }},
+    Named{"log2", [](const auto& x, const auto&) { return log2(x); }},
+    Named{"log10", [](const auto& x, const auto&) { return log10(x); }},
+    Named{"sin", [](const auto& x, const auto&) { return sin(x); }},
+    Named{"cos", [](const auto& x, const auto&) { return cos(x); }},
+    Named{"tan", [](const auto& x, const auto&) { return tan(x); }},
+    Named{"asin", [](const auto& x, const auto&) { return asin(x); }},
+    Named{"acos", [](const auto& x, const auto&) { return acos(x); }},
+    Named{"atan", [](const auto& x, const auto&) { return atan(x); }},
+    Named{"sinh", [](const auto& x, const auto&) { return sinh(x); }},
+    Named{"cosh", [](const auto& x, const auto&) { return cosh(x); }},
+    Named{"tanh", [](const auto& x, const auto&) { return tanh(x); }},
+    Named{"asinh", [](const auto& x, const auto&) { return asinh(x); }},
+    Named{"acosh", [](const auto&, const auto& y) { return acosh(y); }},
+    Named{"atanh", [](const auto& x, const auto&) { return atanh(x); }},
+    Named{"erf", [](const auto& x, const auto&) { return erf(x); }},
+    Named{"erfc", [](const auto& x, const auto&) { return erfc(x); }},
+    Named{"hypot", [](const auto& x, const auto& y) { return hypot(x, y); }},
+    Named{"hypot with a number", [](const auto& x, const auto&) { return hypot(x, 3.0); }},
+    Named{"atan2", [](const auto& x, const auto& y) { return atan2(x, -y); }},
+    Named{"atan2 over a number", [](const auto& x, const auto&) { return atan2(x, 2.0); }},
+    Named{"atan2 of a number", [](const auto& x, const auto&) { return atan2(-2.0, x); }},
+    Named{"abs", [](const auto& x, const auto& y) { return abs(x - y); }},
+    Named{"min", [](const auto& x, const auto& y) { return min(x * y, 0.5); }},
+    Named{"max", [](const auto& x, const auto& y) { return max(x * y, x + 0.25); }},
+    Named{"select", [](const auto& x, const auto& y) { return select(x < 0.5, sqrt(x), y); }},
+    Named{"all together",
+          [](const auto& x, const auto& y) {
+            // factors in the order of their names: a tape multiplies the older by the newer
+            const auto a = asin(x), b = erf(y), c = atan2(log1p(x), acosh(y)), d = cbrt(hypot(x, y));
+            return tan(a * b) + c * d - select(x * y < 0.5, tanh(y), pow(y, x)) / (1.0 + expm1(max(x, 0.5)));
+          }},
+};
+
+/// action(name, f) for each function.
+template <class Action>
+void for_each_function(Action action) {
+  std::apply([&](const auto&... named) { (action(named.name, named.f), ...); }, functions);
+}
+
+template <class F>
+Tape tape_of(F f) {
+  Recording recording;
+  const Recorded x = recording.input({Input::Kind::position, 0, 0}),
+                 y = recording.input({Input::Kind::position, 0, 1});
+  return recording.finish({f(x, y)});
+}
+
+Operands random_operands() {
+  Uniform draw(3);
+  Operands operands(elements);
+  for (auto& [x, y] : operands) {
+    x[0] = draw(0.125, 0.875);
+    y[0] = draw(1.125, 2.0);
+    for (int k = 1; k <= degree; ++k) {
+      x[k] = draw(-1, 1) * std::ldexp(0.25, -k);
+      y[k] = draw(-1, 1) * std::ldexp(0.25, -k);
+    }
+  }
+  return operands;
+}
+
+TEST(FunctionsOnATape, HaveTheBitsOfJetsOnOneLane) {
+  const auto operands = random_operands();
+  for_each_function([&](const char* name, auto f) {
+    const auto results = run_tape(tape_of(f), operands, {}, scalar_kernels<double>());
+    for (int e = 0; e < elements; ++e) {
+      const J jet = f(operands[e][0], operands[e][1]);
+      for (int k = 0; k <= degree; ++k)
+        EXPECT_TRUE(same_bits(results[e][k], jet[k])) << name << ", element " << e << ", order " << k << ": "
+                                                      << results[e][k] << " instead of " << jet[k];
+    }
+  });
+}
+
+TEST(FunctionsOnATape, AgreeWithJetsOnEveryInstructionSet) {
+  // A fused multiply-add rounds once where the jet rounds twice: both lie within the bound that the jet carries.
+  const auto operands = random_operands();
+  for_each_function([&](const char* name, auto f) {
+    const Tape tape = tape_of(f);
+    for (const auto* table : available_kernels()) {
+      SCOPED_TRACE(table->instruction_set);
+      const auto results = run_tape(tape, operands, {}, *table);
+      for (int e = 0; e < elements; ++e) {
+        std::array<Tracked, 2> u;
+        for (int k = 0; k <= degree; ++k)
+          for (int a = 0; a < 2; ++a) u[a][k] = operands[e][a][k];
+        EXPECT_THAT(f(u[0], u[1]),
+                    HasCoefficients([&](int k) { return RunningError<double>(results[e][k]); }))
+            << name << ", element " << e;
+      }
+    }
+  });
+}
+
+int first_not_finite(const J& u) {
+  int k = 0;
+  while (k <= degree && std::isfinite(u[k])) ++k;
+  return k;
+}
+
+TEST(FunctionsOnATape, AreNotFiniteWhereJetsAreNotAndHarmNoOtherLane) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double ill[] = {0.0, 1.0, -1.0, -3.0, infinity, -infinity, std::numeric_limits<double>::quiet_NaN()};
+  const auto well = random_operands();
+  auto operands = well;
+  std::vector<bool> is_ill(elements, false);
+  int e = 2;
+  for (const double x : ill)
+    for (const auto& pair : {std::array{J::variable(x), well[0][1]}, std::array{well[0][0], J::variable(x)},
+                             std::array{J::variable(x), J::variable(x)}}) {
+      operands[e] = pair;
+      is_ill[e] = true;
+      e += 3;
+    }
+  for_each_function([&](const char* name, auto f) {
+    const Tape tape = tape_of(f);
+    for (const auto* table : available_kernels()) {
+      SCOPED_TRACE(table->instruction_set);
+      const auto before = run_tape(tape, well, {}, *table), after = run_tape(tape, operands, {}, *table);
+      for (int i = 0; i < elements; ++i) {
+        if (is_ill[i]) {
+          const J jet = f(operands[i][0], operands[i][1]);
+          EXPECT_LE(first_not_finite(after[i]), first_not_finite(jet)) << name << ", element " << i;
+          continue;
+        }
+        for (int k = 0; k <= degree; ++k)
+          EXPECT_TRUE(same_bits(after[i][k], before[i][k])) << name << ", element " << i << ", order " << k;
+      }
+    }
+  });
+}
+
+// ---- what is recorded ------------------------------------------------------------------------------------
+
+class RecordFunction : public ::testing::Test {
+ protected:
+  Recording recording_;
+  const Recorded x_ = recording_.input({Input::Kind::position, 0, 0}),
+                 y_ = recording_.input({Input::Kind::position, 0, 1}), a_ = recording_.parameter(0);
+
+  std::vector<std::string> operations(const Recorded& output) {
+    return names_of_operations(recording_.finish({output}));
+  }
+};
+
+TEST_F(RecordFunction, IsOneOperationOrSharesTheRest) {
+  EXPECT_THAT(operations(cbrt(x_)), UnorderedElementsAre("cbrt"));
+  EXPECT_THAT(operations(log2(x_)), UnorderedElementsAre("log2"));
+  EXPECT_THAT(operations(expm1(x_)), UnorderedElementsAre("exp", "expm1"));
+  EXPECT_THAT(operations(tan(x_)), UnorderedElementsAre("tan", "secant squared"));
+  EXPECT_THAT(operations(tanh(x_)), UnorderedElementsAre("tanh", "hyperbolic secant squared"));
+  EXPECT_THAT(operations(sinh(x_) / cosh(x_)), UnorderedElementsAre("sinh", "cosh", "divide"));
+  EXPECT_THAT(operations(asin(x_) + acos(x_)),
+              UnorderedElementsAre("one minus square", "sqrt", "asin", "acos", "add"));
+  EXPECT_THAT(operations(atan(x_)), UnorderedElementsAre("square", "offset", "atan"));
+  EXPECT_THAT(operations(asinh(x_)),
+              UnorderedElementsAre("(length)", "scaled square", "root of scaled", "asinh"));
+  EXPECT_THAT(operations(acosh(x_)),
+              UnorderedElementsAre("(hyperbolic length)", "scaled square", "root of scaled", "acosh"));
+  EXPECT_THAT(operations(atanh(x_)), UnorderedElementsAre("one minus square", "atanh"));
+  EXPECT_THAT(operations(erf(x_) + erfc(x_)),
+              UnorderedElementsAre("square", "gaussian", "erf", "erfc", "add"));
+}
+
+TEST_F(RecordFunction, PolarCoordinatesShareTheirSquares) {
+  EXPECT_THAT(operations(hypot(x_, y_) * hypot(y_, x_) * atan2(x_, y_) * atan2(y_, x_)),
+              UnorderedElementsAre("(length)", "scaled sum of squares", "root of scaled", "square", "atan2",
+                                   "multiply", "atan2", "multiply"));
+  EXPECT_THAT(operations(hypot(x_, 2.0) * atan2(x_, 2.0) * atan2(2.0, x_)),
+              UnorderedElementsAre("(length)", "scaled square", "root of scaled", "atan2 over constant",
+                                   "multiply", "atan2 of constant", "multiply"));
+}
+
+TEST_F(RecordFunction, OfParametersHasNoSeries) {
+  EXPECT_THAT(operations(hypot(a_, 3.0)), UnorderedElementsAre("[length]"));
+  EXPECT_THAT(operations(atan2(a_, 3.0)),
+              UnorderedElementsAre("[length]", "[scaled sum of squares]", "[atan2]"));
+  EXPECT_THAT(operations(erf(a_) * x_), UnorderedElementsAre("[square]", "[gaussian]", "[erf]", "scale"));
+}
+
+TEST_F(RecordFunction, OfTwoSeriesAsPowerIsTheirExponential) {
+  EXPECT_THAT(operations(pow(x_, y_)), UnorderedElementsAre("log", "multiply", "power of series"));
+  EXPECT_THAT(operations(pow(2.0, y_)), UnorderedElementsAre("[log]", "scale", "power of series"));
+  EXPECT_THAT(operations(pow(x_, a_)), UnorderedElementsAre("power"));
+}
+
+TEST_F(RecordFunction, OfPlainNumbersIsANumber) {
+  const Recorded half = 0.5, two = 2.0;
+  EXPECT_EQ(tan(half).value(), std::tan(0.5));
+  EXPECT_EQ(tanh(half).value(), std::tanh(0.5));
+  EXPECT_EQ(asinh(half).value(), std::asinh(0.5));
+  EXPECT_EQ(erfc(half).value(), std::erfc(0.5));
+  EXPECT_EQ(expm1(half).value(), std::expm1(0.5));
+  EXPECT_EQ(hypot(half, two).value(), std::hypot(0.5, 2.0));
+  EXPECT_EQ(atan2(half, two).value(), std::atan2(0.5, 2.0));
+}
+
+}  // namespace
+}  // namespace jetlag::testing
