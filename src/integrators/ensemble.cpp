@@ -53,10 +53,6 @@ struct Ensemble::Workspace {
         best(table.lanes),
         regular(table.lanes) {
     blocks.reserve(degree + 2);
-    for (int k = 0; k <= degree + 1; ++k) {
-      ones.push_back(1.0);
-      ranks.push_back(k);
-    }
   }
 
   Blocks<double> blocks;
@@ -64,8 +60,7 @@ struct Ensemble::Workspace {
   AlignedVector<double> norms, logs;  // [order][lane]
   AlignedVector<double> next;         // the state after the step
   AlignedVector<double> step, not_finite, best;
-  std::vector<char> regular;        // whether the norms of a lane are normal numbers
-  std::vector<double> ones, ranks;  // weights for Horner's rule: 1 and k
+  std::vector<char> regular;  // whether the norms of a lane are normal numbers
 };
 
 namespace {
@@ -181,7 +176,7 @@ void Ensemble::grow(const double* time, Workspace& work) const {
           const double* plus = blocks.at(0, series_[c], n);
           const double* minus =
               blocks.at(0, series_[(1 - input.participant) * dimension_ + input.component], n);
-          for (int i = 0; i < lanes; ++i) to[i] = plus[i] - minus[i];
+          work.lanes.subtract(lanes, plus, minus, to);
         }
       }
     blocks.run(0, k, orders);
@@ -284,8 +279,7 @@ void Ensemble::advance(std::size_t block, double until, Workspace& work) {
     for (int c = 0; c < components_; ++c) {  // v_k = (k+1) x_{k+1}
       if (inverse_mass_[c] == 0.0) continue;
       const double* x = work.blocks.at(0, series_[c], 0);
-      work.lanes.horner(lanes, degree_, work.ones.data(), x, work.step.data(), next_position + c * lanes);
-      work.lanes.horner(lanes, degree_, work.ranks.data() + 1, x + lanes, work.step.data(),
+      work.lanes.horner(lanes, degree_, x, work.step.data(), next_position + c * lanes,
                         next_velocity + c * lanes);
     }
     std::ranges::fill(work.not_finite, 0.0);

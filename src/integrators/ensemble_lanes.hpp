@@ -17,9 +17,10 @@ struct EnsembleLanes {
   void (*multiply)(int lanes, double factor, double* by);
   /// most = max(most, |from|);   not_finite += 0 from, NaN where a number was not finite.
   void (*largest)(int lanes, const double* from, double* most, double* not_finite);
-  /// sum_{n=0..last} weight[n] series[n] h^n, series[n] at the distance lanes.
-  void (*horner)(int lanes, int last, const double* weight, const double* series, const double* h,
-                 double* sum);
+  /// sum_{n=0..last} x_n h^n   and   sum_{n=0..last} (n+1) x_{n+1} h^n,   x_n at the distance lanes.
+  void (*horner)(int lanes, int last, const double* x, const double* h, double* position, double* velocity);
+  /// to = plus - minus.
+  void (*subtract)(int lanes, const double* plus, const double* minus, double* to);
   /// log2 of normal numbers > 0, to 1e-12.
   void (*log2)(int lanes, const double* x, double* log);
   /// best = max(best, (a - b + c) d).
@@ -34,16 +35,21 @@ namespace JETLAG_INSTRUCTION_SET_NAME {
 
 extern const EnsembleLanes ensemble;
 
-inline double multiply_add_of(double a, double b, double c) {
-#if defined(__FMA__)
-  return __builtin_fma(a, b, c);
+#if defined(__AVX512F__)
+#define JETLAG_PACK 64
+#elif defined(__AVX2__)
+#define JETLAG_PACK 32
 #else
-  return a * b + c;
+#define JETLAG_PACK 16
 #endif
-}
 
 inline void scale(int lanes, double factor, const double* __restrict from, double* __restrict to) {
   for (int i = 0; i < lanes; ++i) to[i] = factor * from[i];
+}
+
+inline void subtract(int lanes, const double* __restrict plus, const double* __restrict minus,
+                     double* __restrict to) {
+  for (int i = 0; i < lanes; ++i) to[i] = plus[i] - minus[i];
 }
 
 inline void multiply(int lanes, double factor, double* by) {
@@ -59,25 +65,52 @@ inline void largest(int lanes, const double* __restrict from, double* __restrict
   }
 }
 
-template <int n>
-void horner_of(int last, int stride, const double* weight, const double* __restrict series,
-               const double* __restrict h, double* __restrict to) {
-  double sum[n], step[n];
+/// n packs at a time, enough chains of additions to hide their latency.
+template <class Pack, int n>
+void horner_of(int last, int stride, const double* x, const double* h, double* position, double* velocity) {
+  Pack step[n], p[n], v[n];
+  const auto load = [](const double* from) {
+    Pack pack;
+    __builtin_memcpy(&pack, from, sizeof(Pack));
+    return pack;
+  };
+  constexpr int width = sizeof(Pack) / sizeof(double);
   for (int i = 0; i < n; ++i) {
-    step[i] = h[i];
-    sum[i] = weight[last] * series[last * stride + i];
+    step[i] = load(h + i * width);
+    p[i] = load(x + last * stride + i * width);
+    v[i] = (last + 1.0) * load(x + (last + 1) * stride + i * width);
   }
-  for (int k = last - 1; k >= 0; --k)
-    for (int i = 0; i < n; ++i) sum[i] = multiply_add_of(sum[i], step[i], weight[k] * series[k * stride + i]);
-  for (int i = 0; i < n; ++i) to[i] = sum[i];
+  double rank = last;
+  Pack newest[n];
+  for (int i = 0; i < n; ++i) newest[i] = p[i];
+  for (int k = last - 1; k >= 0; --k, rank -= 1.0)
+    for (int i = 0; i < n; ++i) {
+      v[i] = v[i] * step[i] + rank * newest[i];
+      newest[i] = load(x + k * stride + i * width);
+      p[i] = p[i] * step[i] + newest[i];
+    }
+  for (int i = 0; i < n; ++i) {
+    __builtin_memcpy(position + i * width, &p[i], sizeof(Pack));
+    __builtin_memcpy(velocity + i * width, &v[i], sizeof(Pack));
+  }
 }
 
-inline void horner(int lanes, int last, const double* weight, const double* series, const double* h,
-                   double* sum) {
-  if (lanes % 16 == 0)
-    for (int i = 0; i < lanes; i += 16) horner_of<16>(last, lanes, weight, series + i, h + i, sum + i);
-  else
-    for (int i = 0; i < lanes; ++i) horner_of<1>(last, lanes, weight, series + i, h + i, sum + i);
+inline void horner(int lanes, int last, const double* x, const double* h, double* position,
+                   double* velocity) {
+  if (lanes % 16 == 0) {
+    typedef double Pack __attribute__((vector_size(JETLAG_PACK)));
+    constexpr int n = 4, width = n * JETLAG_PACK / 8;
+    static_assert(16 % width == 0 || width == 32);
+    if (lanes % width == 0)
+      for (int i = 0; i < lanes; i += width)
+        horner_of<Pack, n>(last, lanes, x + i, h + i, position + i, velocity + i);
+    else
+      for (int i = 0; i < lanes; i += 16)
+        horner_of<Pack, 16 * 8 / JETLAG_PACK>(last, lanes, x + i, h + i, position + i, velocity + i);
+  } else {
+    for (int i = 0; i < lanes; ++i)
+      horner_of<double, 1>(last, lanes, x + i, h + i, position + i, velocity + i);
+  }
 }
 
 /// log2(2^e m) = e + 1/2 + 2/ln 2 artanh t,   t = (m - sqrt 2) / (m + sqrt 2),   1 <= m < 2;   |t| < 0.172, so that
@@ -107,7 +140,7 @@ inline void bound(int lanes, const double* __restrict a, const double* __restric
   }
 }
 
-const EnsembleLanes ensemble{&scale, &multiply, &largest, &horner, &log2, &bound};
+const EnsembleLanes ensemble{&scale, &multiply, &largest, &horner, &subtract, &log2, &bound};
 
 }  // namespace JETLAG_INSTRUCTION_SET_NAME
 #endif

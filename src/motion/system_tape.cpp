@@ -1,9 +1,30 @@
 // SPDX-License-Identifier: MIT
 #include "jetlag/motion/system_tape.hpp"
 
+#include <cmath>
+#include <optional>
+
+#include "jetlag/series/functions.hpp"
+
 namespace jetlag {
 
 namespace {
+
+/// c f^a with numbers c > 0 and a as (c^{1/a} f)^a: the power itself need not be kept beside its product, where the next
+/// operations read all of its orders. Tiny and huge c are left alone.
+std::optional<Recorded> scaled_power(Recording& recording, const std::vector<Node>& nodes, const Node& node,
+                                     const std::vector<Recorded>& value) {
+  if (node.rule != rule_id<Scale> || !value[node.operands[0]].is_number()) return {};
+  const Node& power = nodes[node.operands[1]];
+  if (power.kind != Node::Kind::operation || power.rule != rule_id<Power> || power.is_static) return {};
+  const Recorded& exponent = value[power.operands[0]];
+  const double c = value[node.operands[0]].value(), a = exponent.is_number() ? exponent.value() : 0.0;
+  if (!(c > 1e-100 && c < 1e100) || !(std::abs(a) >= 0.5)) return {};
+  const Recorded f = value[power.operands[1]];
+  const int scale = recording.node_of(Recorded(std::pow(c, 1 / a)));
+  const Recorded scaled = recording.operation(rule_id<Scale>, {scale, recording.node_of(f)}, false);
+  return recording.operation(rule_id<Power>, {recording.node_of(exponent), scaled.node()}, false);
+}
 
 /// The force on the first participant of one element, recorded.
 std::vector<Recorded> record_element(Recording& recording, const RecordedLaw& law, const int* particles,
@@ -38,6 +59,16 @@ std::vector<Recorded> record_element(Recording& recording, const RecordedLaw& la
           value.push_back(a);
           value.push_back(b);
           ++i;
+          break;
+        }
+        const auto scaled = scaled_power(recording, nodes, node, value);
+        if (scaled) {
+          value.push_back(*scaled);
+          break;
+        }
+        if (node.rule == rule_id<Multiply> && node.is_static && value[node.operands[0]].is_number() &&
+            value[node.operands[1]].is_number()) {
+          value.emplace_back(value[node.operands[0]].value() * value[node.operands[1]].value());
           break;
         }
         std::vector<int> operands;
