@@ -45,21 +45,24 @@ struct Ensemble::Workspace {
   Workspace(const Program& program, const KernelTable<double>& table, int degree, int components)
       : blocks(program, table.lanes, {}, table),
         lanes(ensemble_lanes(table.instruction_set)),
-        norms(static_cast<std::size_t>(degree + 2) * table.lanes),
+        norms(2 * static_cast<std::size_t>(degree + 1) * table.lanes),
         logs(norms.size()),
         next(2 * static_cast<std::size_t>(components) * table.lanes),
         step(table.lanes),
         not_finite(table.lanes),
         best(table.lanes),
+        log_step(table.lanes),
+        least(table.lanes),
+        most(table.lanes),
         regular(table.lanes) {
     blocks.reserve(degree + 2);
   }
 
   Blocks<double> blocks;
   const EnsembleLanes& lanes;
-  AlignedVector<double> norms, logs;  // [order][lane]
+  AlignedVector<double> norms, logs;  // [kind][order][lane], [order][lane]
   AlignedVector<double> next;         // the state after the step
-  AlignedVector<double> step, not_finite, best;
+  AlignedVector<double> step, not_finite, best, log_step, least, most;
   std::vector<char> regular;  // whether the norms of a lane are normal numbers
 };
 
@@ -183,66 +186,82 @@ void Ensemble::grow(const double* time, Workspace& work) const {
     for (int c = 0; c < components_; ++c) {
       if (inverse_mass_[c] == 0.0) continue;
       const Place output = program_.outputs[c];
-      for (int n = k; n < k + orders; ++n) {
-        double* to = blocks.at(0, series_[c], n + 2);
-        if (n > 0 && output.space == Place::Space::statics)
+      const bool constant = output.space == Place::Space::statics;
+      double* to = blocks.at(0, series_[c], k + 2);
+      if (orders == 2 && !constant) {
+        const double of_this = inverse_mass_[c] / ((k + 1.0) * (k + 2.0)),
+                     of_next = inverse_mass_[c] / ((k + 2.0) * (k + 3.0));
+        work.lanes.scale_two(lanes, of_this, of_next, blocks.at(0, output, k), blocks.at(0, output, k + 1),
+                             to);
+        continue;
+      }
+      for (int n = k; n < k + orders; ++n, to += lanes)
+        if (n > 0 && constant)
           std::fill_n(to, lanes, 0.0);
         else
           work.lanes.scale(lanes, inverse_mass_[c] / ((n + 1.0) * (n + 2.0)), blocks.at(0, output, n), to);
-      }
     }
     k += orders;
   }
 }
 
-/// The step of each lane: that of jorba_zou_step for the positions, then for the velocities, as in JorbaZou. Where all
-/// norms are normal numbers, the conditions are solved for the logarithms of those lanes at once.
+/// The step of each lane: that of jorba_zou_step for the positions and for the velocities, as in JorbaZou. Where the norms
+/// of a lane are normal numbers the conditions are solved for the logarithm of the step, in all those lanes at once.
 void Ensemble::choose_steps(Workspace& work) const {
   const int lanes = table_->lanes, p = degree_;
-  const auto norm = [&](int k) { return work.norms.data() + k * lanes; };
-  const auto log = [&](int k) { return work.logs.data() + k * lanes; };
   const double log_sigma = (-2.0 - 0.5 / std::max(1, p - 1)) / std::log(2.0);
-  std::ranges::fill(work.step, max_step_);
+  constexpr double least = 0x1p-1022, most = 0x1p1000;
+  std::ranges::fill(work.log_step, 2000.0);  // infinite
   std::ranges::fill(work.not_finite, 0.0);
+  std::ranges::fill(work.regular, 1);
+  std::ranges::fill(work.norms, 0.0);
+  const auto low = [](bool of_velocity) { return of_velocity ? 1 : 2; };
+  const auto read = [&](bool of_velocity, int k) { return k <= low(of_velocity) || k >= p - 1; };
+  const auto norm = [&](bool of_velocity, int k) {
+    return work.norms.data() + (of_velocity * (p + 1) + k) * lanes;
+  };
+  const auto log = [&](int k) { return work.logs.data() + k * lanes; };
+  const auto measure = [&](bool of_velocity, int k, AlignedVector<double>& not_finite) {
+    for (int c = 0; c < components_; ++c)
+      if (inverse_mass_[c] != 0.0 || (!of_velocity && k == 0))
+        work.lanes.largest(lanes, work.blocks.at(0, series_[c], k + of_velocity), norm(of_velocity, k),
+                           not_finite.data());
+    if (of_velocity) work.lanes.multiply(lanes, k + 1, norm(of_velocity, k));
+  };
   for (const bool of_velocity : {false, true}) {
-    const int low = of_velocity ? 1 : 2;
-    std::ranges::fill(work.norms, 0.0);
-    const auto measure = [&](int k, AlignedVector<double>& not_finite) {
-      for (int c = 0; c < components_; ++c)
-        if (inverse_mass_[c] != 0.0 || (!of_velocity && k == 0))
-          work.lanes.largest(lanes, work.blocks.at(0, series_[c], k + of_velocity), norm(k),
-                             not_finite.data());
-      if (of_velocity) work.lanes.multiply(lanes, k + 1, norm(k));
-    };
-    const auto read = [&](int k) { return k <= low || k >= p - 1; };
+    std::ranges::fill(work.least, most);
+    std::ranges::fill(work.most, 0.0);
     for (int k = 0; k <= p; ++k)
-      if (read(k)) measure(k, work.not_finite);
-    std::ranges::fill(work.regular, 1);
-    for (int k = 0; k <= p; ++k)
-      if (read(k))
-        for (int i = 0; i < lanes; ++i)
-          work.regular[i] &= (norm(k)[i] >= 0x1p-1022) & (norm(k)[i] < 0x1p1000);
-    const auto regular = std::ranges::count(work.regular, 1);
-    if (regular > 0) {
-      for (int k = 0; k <= p; ++k)
-        if (read(k)) work.lanes.log2(lanes, norm(k), log(k));
-      for (int q = p; q >= std::max(1, p - 1); --q) {
-        std::ranges::fill(work.best, -1e9);
-        for (int n = 0; n < q; ++n)
-          if (read(n))
-            work.lanes.bound(lanes, log(n), log(q), q * log_sigma, 1.0 / (q - n), work.best.data());
-        for (int i = 0; i < lanes; ++i)
-          if (work.regular[i]) work.step[i] = std::min(work.step[i], std::exp2(work.best[i]));
+      if (read(of_velocity, k)) {
+        measure(of_velocity, k, work.not_finite);
+        work.lanes.extend(lanes, norm(of_velocity, k), work.least.data(), work.most.data());
+        work.lanes.log2(lanes, norm(of_velocity, k), log(k));
       }
+    for (int i = 0; i < lanes; ++i)
+      if (!(work.least[i] >= least && work.most[i] < most)) work.regular[i] = 0;
+    for (int q = p; q >= std::max(1, p - 1); --q) {
+      std::ranges::fill(work.best, -1e9);
+      for (int n = 0; n < q; ++n)
+        if (read(of_velocity, n))
+          work.lanes.bound(lanes, log(n), log(q), q * log_sigma, 1.0 / (q - n), work.best.data());
+      work.lanes.smaller(lanes, work.best.data(), work.log_step.data());
     }
-    if (regular == lanes) continue;
-    for (int k = low + 1; k < p - 1; ++k) measure(k, work.best);
-    std::vector<double> norms(p + 1);
+  }
+  bool all_regular = true;
+  for (int i = 0; i < lanes; ++i) {
+    all_regular &= work.regular[i] != 0;
+    work.step[i] = work.regular[i] ? std::min(max_step_, std::exp2(work.log_step[i])) : max_step_;
+  }
+  if (all_regular) return;
+  std::vector<double> norms(p + 1);
+  for (const bool of_velocity : {false, true}) {
+    for (int k = low(of_velocity) + 1; k < p - 1; ++k) measure(of_velocity, k, work.best);
     for (int i = 0; i < lanes; ++i) {
       if (work.regular[i]) continue;
       bool all_zero = true;
-      for (int k = 0; k <= std::min(low, p - 1); ++k) all_zero &= norm(k)[i] == 0.0;
-      for (int k = 0; k <= p; ++k) norms[k] = read(k) || all_zero ? norm(k)[i] : 0.0;
+      for (int k = 0; k <= std::min(low(of_velocity), p - 1); ++k) all_zero &= norm(of_velocity, k)[i] == 0.0;
+      for (int k = 0; k <= p; ++k)
+        norms[k] = read(of_velocity, k) || all_zero ? norm(of_velocity, k)[i] : 0.0;
       work.step[i] = jorba_zou_step(norms, work.step[i]);
     }
   }

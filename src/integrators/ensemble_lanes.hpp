@@ -13,6 +13,13 @@ namespace jetlag {
 struct EnsembleLanes {
   /// to = factor from.
   void (*scale)(int lanes, double factor, const double* from, double* to);
+  /// to_0 = factor_0 from_0,   to_1 = factor_1 from_1,   to_1 following to_0.
+  void (*scale_two)(int lanes, double factor_0, double factor_1, const double* from_0, const double* from_1,
+                    double* to);
+  /// least = min(least, x),   most = max(most, x).
+  void (*extend)(int lanes, const double* x, double* least, double* most);
+  /// least = min(least, x).
+  void (*smaller)(int lanes, const double* x, double* least);
   /// by = factor by.
   void (*multiply)(int lanes, double factor, double* by);
   /// most = max(most, |from|);   not_finite += 0 from, NaN where a number was not finite.
@@ -50,6 +57,23 @@ inline void scale(int lanes, double factor, const double* __restrict from, doubl
 inline void subtract(int lanes, const double* __restrict plus, const double* __restrict minus,
                      double* __restrict to) {
   for (int i = 0; i < lanes; ++i) to[i] = plus[i] - minus[i];
+}
+
+inline void scale_two(int lanes, double factor_0, double factor_1, const double* __restrict from_0,
+                      const double* __restrict from_1, double* __restrict to) {
+  for (int i = 0; i < lanes; ++i) to[i] = factor_0 * from_0[i];
+  for (int i = 0; i < lanes; ++i) to[lanes + i] = factor_1 * from_1[i];
+}
+
+inline void extend(int lanes, const double* __restrict x, double* __restrict least, double* __restrict most) {
+  for (int i = 0; i < lanes; ++i) {
+    least[i] = x[i] < least[i] ? x[i] : least[i];
+    most[i] = most[i] < x[i] ? x[i] : most[i];
+  }
+}
+
+inline void smaller(int lanes, const double* __restrict x, double* __restrict least) {
+  for (int i = 0; i < lanes; ++i) least[i] = x[i] < least[i] ? x[i] : least[i];
 }
 
 inline void multiply(int lanes, double factor, double* by) {
@@ -140,7 +164,8 @@ inline void bound(int lanes, const double* __restrict a, const double* __restric
   }
 }
 
-const EnsembleLanes ensemble{&scale, &multiply, &largest, &horner, &subtract, &log2, &bound};
+const EnsembleLanes ensemble{&scale,   &scale_two, &extend,   &smaller, &multiply,
+                             &largest, &horner,    &subtract, &log2,    &bound};
 
 }  // namespace JETLAG_INSTRUCTION_SET_NAME
 #endif
