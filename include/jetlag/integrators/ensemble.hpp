@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Ensembles: many trajectories of one system from different initial states, one in each lane of the processor.
+//
+//   Ensemble ensemble(system, 20, states);
+//   ensemble.advance_to(10.0);
+//   ensemble.state(7).position;
+//
+// The whole system is one tape (motion/system_tape.hpp), a trajectory is an element of it, and every trajectory has a
+// time and a step of its own. Trajectories are taken through all their steps block by block, so that their series stay
+// in the cache; different blocks may run at the same time.
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "jetlag/motion/outcome.hpp"
+#include "jetlag/motion/system.hpp"
+#include "jetlag/tape/program.hpp"
+#include "jetlag/tape/workers.hpp"
+
+namespace jetlag {
+
+/// Taylor's method of a fixed degree with the step of Jorba and Zou (control/jorba_zou.hpp), as `taylor` with `JorbaZou`,
+/// to rounding. A trajectory has the same bits in any company and for any number of workers, as long as the blocks
+/// have the same width.
+class Ensemble {
+ public:
+  /// Keeps no reference to the system. degree: >= 1. states: one for each trajectory; their rests are dropped, their
+  /// times may differ. max_step [s]: > 0, may be infinite.
+  /// Throws std::invalid_argument for what is out of range, for a state of another shape and for a fixed particle that
+  /// is not at rest.
+  Ensemble(const System<double>& system, int degree, const std::vector<State<double>>& states,
+           double max_step = std::numeric_limits<double>::infinity(), Workers workers = Workers(1))
+      : Ensemble(system, degree, states, max_step, std::move(workers),
+                 kernels<double>().fitting(states.size())) {}
+  /// The same on blocks of a chosen width.
+  Ensemble(const System<double>& system, int degree, const std::vector<State<double>>& states,
+           double max_step, Workers workers, const KernelTable<double>& table);
+
+  /// Every trajectory that is before `until` [s] goes there, its last step shortened to end there. One that fails keeps
+  /// the state before the step that failed, says so in `outcome`, and goes no further; the others do not notice.
+  /// Throws std::invalid_argument for a time that is not finite.
+  void advance_to(double until);
+
+  std::size_t size() const { return count_; }
+  int lanes() const { return table_->lanes; }
+  State<double> state(std::size_t i) const;
+  /// success, step_underflow or non_finite.
+  Outcome outcome(std::size_t i) const { return outcome_[i]; }
+  std::uint64_t steps(std::size_t i) const { return steps_[i]; }
+
+  /// The steps of all trajectories.
+  std::uint64_t steps() const;
+  /// (element, order) pairs of these steps: elements x degree for each, idle lanes not counted.
+  std::uint64_t element_coefficients() const { return steps() * elements_ * degree_; }
+
+ private:
+  struct Workspace;
+
+  std::size_t blocks() const { return (count_ + table_->lanes - 1) / table_->lanes; }
+  double* rows(AlignedVector<double>& of, std::size_t block) const {
+    return of.data() + block * components_ * table_->lanes;
+  }
+  void advance(std::size_t block, double until, Workspace& work);
+  void grow(const double* time, Workspace& work) const;
+  void choose_steps(Workspace& work) const;
+
+  int particles_, dimension_, components_, degree_;
+  std::size_t count_, elements_ = 0;
+  double max_step_;
+  Workers workers_;
+  const KernelTable<double>* table_;
+  std::vector<double> inverse_mass_;  // of each component; 0: fixed
+  Program program_;
+  std::vector<Place> series_;  // of each component of the positions
+  bool reads_velocity_ = false;
+  AlignedVector<double> position_, velocity_, time_;  // [block][component][lane], time [block][lane]
+  std::vector<Outcome> outcome_;
+  std::vector<std::uint64_t> steps_;
+};
+
+}  // namespace jetlag
