@@ -129,6 +129,8 @@ void register_adolc() {
       benchmark::RegisterBenchmark(("BM_ExpansionAdolC/" + name + "/" + std::to_string(degree)).c_str(),
                                    expand_adolc, name, degree);
     }
+  for (const std::string name : {"cloth10", "cloth50"})
+    benchmark::RegisterBenchmark(("engine/adolc/" + name).c_str(), expand_adolc, name, 16);
 }
 
 }  // namespace jetlag::bench

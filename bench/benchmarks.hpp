@@ -11,13 +11,14 @@ namespace jetlag::bench {
 void register_expansion();  // BM_Expansion/<scene>/<degree>
 void register_restart();    // BM_Restart/<scene>/<degree>, BM_RestartTape/<scene>/<degree>
 void register_adolc();      // BM_ExpansionAdolC/<scene>/<degree>, nothing without ADOL-C
+void register_engine();     // engine/<what>: one table of the engine's speed
 void register_step();       // BM_Step/<method>/<scene>
 
 /// Counters of a run whose iteration expands the whole scene once: elements, and the time for each of them.
 inline void count_elements(benchmark::State& run, const Scene& scene) {
   using benchmark::Counter;
   const auto elements = static_cast<double>(scene.elements());
-  run.counters["elements"] = elements;
+  run.counters["items"] = elements;
   run.counters["per_element"] = Counter(elements, Counter::kIsIterationInvariantRate | Counter::kInvert);
 }
 

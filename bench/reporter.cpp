@@ -9,6 +9,8 @@
 #include <ostream>
 
 #include "agreement.hpp"
+#include "engine.hpp"
+#include "goal.hpp"
 #include "jetlag/tape/kernels.hpp"
 
 namespace jetlag::bench {
@@ -44,22 +46,10 @@ bool print_agreement(std::ostream& out) {
   return all_hold;
 }
 
-struct Goal {
-  enum class Kind { at_least, at_most, none } kind;
-  double value = 0.0;
-
-  std::string text() const {
-    if (kind == Kind::none) return "";
-    std::string number = std::to_string(value);
-    number.erase(number.find_last_not_of('0') + 1);
-    if (number.back() == '.') number.pop_back();
-    return (kind == Kind::at_least ? ">= " : "<= ") + number;
-  }
-  const char* verdict(double x) const {
-    if (kind == Kind::none) return "";
-    return (kind == Kind::at_least ? x >= value : x <= value) ? "met" : "missed";
-  }
-};
+/// CPU time of an iteration; of those with threads the time on the wall.
+double time_of(const Reporter::Run& run) {
+  return run.run_name.time_type == "real_time" ? run.GetAdjustedRealTime() : run.GetAdjustedCPUTime();
+}
 
 }  // namespace
 
@@ -83,7 +73,7 @@ void Reporter::ReportRuns(const std::vector<Run>& runs) {
     if (run.run_type != Run::RT_Iteration) continue;
     failed_run_ = failed_run_ || run.error_occurred;
     const auto [known, is_new] = fastest_.try_emplace(run.family_index, run);
-    if (!is_new && run.GetAdjustedCPUTime() < known->second.GetAdjustedCPUTime()) known->second = run;
+    if (!is_new && time_of(run) < time_of(known->second)) known->second = run;
   }
 }
 
@@ -91,13 +81,26 @@ void Reporter::Finalize() {
   if (disagreement_) return;
   for (const auto& [index, run] : fastest_) ConsoleReporter::ReportRuns({run});
   print_ratios();
+  print_engine(*this, GetOutputStream());
 }
 
 std::optional<double> Reporter::nanoseconds(const std::string& benchmark) const {
   for (const auto& [index, run] : fastest_)
     if (run.run_name.function_name == benchmark && !run.error_occurred)
-      return run.GetAdjustedCPUTime() * 1e9 / benchmark::GetTimeUnitMultiplier(run.time_unit);
+      return time_of(run) * 1e9 / benchmark::GetTimeUnitMultiplier(run.time_unit);
   return {};
+}
+
+std::optional<double> Reporter::counter(const std::string& benchmark, const std::string& name) const {
+  for (const auto& [index, run] : fastest_)
+    if (run.run_name.function_name == benchmark && run.counters.contains(name)) return run.counters.at(name);
+  return {};
+}
+
+std::optional<double> Reporter::nanoseconds_of_an_item(const std::string& benchmark) const {
+  const auto time = nanoseconds(benchmark), items = counter(benchmark, "items");
+  if (!time || !items) return {};
+  return *time / *items;
 }
 
 std::optional<double> Reporter::ratio(const std::string& numerator, const std::string& denominator) const {
@@ -140,6 +143,7 @@ void Reporter::print_ratios() {
        {none}},
       {"step: leapfrog / fixed:2", ratio("BM_Step/leapfrog/cloth10", "BM_Step/fixed:2/cloth10"), {none}},
   };
+  if (std::ranges::none_of(lines, [](const Line& line) { return line.value.has_value(); })) return;
   std::ostream& out = GetOutputStream();
   out << "\nRatios of this run, cloth10 (" << kernels<double>().instruction_set << ")\n";
   for (const Line& line : lines) {

@@ -23,9 +23,13 @@ class Reporter final : public benchmark::ConsoleReporter {
 
   bool failed() const { return disagreement_ || failed_run_; }
 
- private:
-  /// CPU time of an iteration of a benchmark in its fastest repetition; empty when it was not run.
+  /// Time of an iteration of a benchmark in its fastest repetition; empty when it was not run.
   std::optional<double> nanoseconds(const std::string& benchmark) const;
+  /// What a benchmark counted, and the time divided by its counter "items".
+  std::optional<double> counter(const std::string& benchmark, const std::string& name) const;
+  std::optional<double> nanoseconds_of_an_item(const std::string& benchmark) const;
+
+ private:
   std::optional<double> ratio(const std::string& numerator, const std::string& denominator) const;
   /// b in  cost = a N^b,  fitted by least squares of the logarithms.
   std::optional<double> exponent(const std::string& stem, const std::vector<int>& degrees) const;

@@ -82,11 +82,59 @@ Scene kepler() {
   return {"kepler", std::move(system), std::move(state)};
 }
 
+Scene solar() {
+  const std::vector<double> mass{1.00000597682,      0.000954786104043,  0.000285583733151,
+                                 0.0000437273164546, 0.0000517759138449, 1 / 1.3e8};
+  State<double> state{0.0, Coordinates<double>(6, 3), Coordinates<double>(6, 3)};
+  state.position << 0, 0, 0,                 //
+      -3.5023653, -3.8169847, -1.5507963,    //
+      9.0755314, -3.0458353, -1.6483708,     //
+      8.3101420, -16.2901086, -7.2521278,    //
+      11.4707666, -25.7294829, -10.8169456,  //
+      -15.5387357, -25.2225594, -3.1902382;
+  state.velocity << 0, 0, 0,                 //
+      0.00565429, -0.00412490, -0.00190589,  //
+      0.00168318, 0.00483525, 0.00192462,    //
+      0.00354178, 0.00137102, 0.00055029,    //
+      0.00288930, 0.00114527, 0.00039677,    //
+      0.00276725, -0.00170702, -0.00136504;
+  std::vector<std::array<int, 2>> pairs;
+  for (int i = 0; i < 6; ++i)
+    for (int j = i + 1; j < 6; ++j) pairs.push_back({i, j});
+  System<double> system(3, mass);
+  system.add<Gravity>(pairs, {{2.95912208286e-4}});
+  return {"solar", std::move(system), std::move(state)};
+}
+
+namespace {
+struct SineOfAngle {
+  static constexpr const char* name = "sine of angle";
+  static constexpr int participants = 1;
+  static constexpr std::array<const char*, 0> parameters{};
+
+  template <class T, int D>
+  static Vector<T, D> force(const Participants<T, D, 1>& p) {
+    using std::sin;
+    Vector<T, D> f;
+    for (int c = 0; c < D; ++c) f[c] = -sin(p.position[0][c]);
+    return f;
+  }
+};
+}  // namespace
+
+Scene pendulum() {
+  State<double> state{0.0, Coordinates<double>::Constant(1, 1, 1.3), Coordinates<double>::Zero(1, 1)};
+  System<double> system(1, {1.0});
+  system.add<SineOfAngle>({{0}}, {{}});
+  return {"pendulum", std::move(system), std::move(state)};
+}
+
 Scene scene(const std::string& name) {
-  if (name == "cloth10") return cloth(10);
-  if (name == "cloth50") return cloth(50);
+  if (name.starts_with("cloth")) return cloth(std::stoi(name.substr(5)));
   if (name == "kepler") return kepler();
-  throw std::invalid_argument("scene: '" + name + "' is not one of cloth10, cloth50, kepler");
+  if (name == "solar") return solar();
+  if (name == "pendulum") return pendulum();
+  throw std::invalid_argument("scene: '" + name + "' is not one of cloth<side>, kepler, solar, pendulum");
 }
 
 }  // namespace jetlag::bench

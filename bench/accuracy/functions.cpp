@@ -70,6 +70,8 @@ const Domain level = both_signs(1e-10, 1e10, "±[1e-10, 1e10]", {0, 1, -1, 3, -4
 const Domain upright =
     both_signs(1e-10, 1e10, "±[1e-10, 1e10]", {1, -1, 3, -4, 1e-8, 1e8});  // no jump at -pi
 const Domain plane = both_signs(1e-100, 1e100, "±[1e-100, 1e100]", {0, 1, -1, 3, -4, 1e-8, 1e8});
+const Domain plane_without_origin =  // as the second of two, so that they do not vanish together
+    both_signs(1e-100, 1e100, "±[1e-100, 1e100]", {1, -1, 3, -4, 1e-8, 1e8});
 
 // ---- functions -----------------------------------------------------------------------------------------------
 
@@ -104,6 +106,23 @@ Function binary(std::string name, bool kind, std::vector<std::string> rules, con
 
 const auto nothing = [](const auto&...) { return no_terms(); };
 
+/// A fused sum: the rule on u, v, u, v, ...; S is the same sum of absolute values.
+template <class R, class S>
+Function sum(std::string name, std::vector<std::string> rules, S written_out) {
+  return binary(
+      std::move(name), false, std::move(rules), reals, reals,
+      [](const auto& u, const auto& v) {
+        using J = std::decay_t<decltype(u)>;
+        return [&]<std::size_t... I>(std::index_sequence<I...>) {
+          return lift<R, J>((I % 2 == 0 ? u : v)...);
+        }(std::make_index_sequence<arity<R>>{});
+      },
+      [written_out](const Computed& u, const Computed& v) {
+        const True all = written_out(sizes(exact(u)), sizes(exact(v)));
+        return Terms{all, all};
+      });
+}
+
 std::vector<Function> list() {
   return {
       // arithmetic
@@ -126,6 +145,15 @@ std::vector<Function> list() {
           "u v", single, {"multiply"}, reals, reals, [](const auto& u, const auto& v) { return u * v; },
           terms_of_product),
       unary("square(u)", single, {"square"}, reals, [](const auto& u) { return square(u); }),
+      sum<Sum<3>>("u + v + u", {"sum of 3"}, [](const auto& u, const auto& v) { return u + v + u; }),
+      sum<Sum<4>>("u + v + u + v", {"sum of 4"}, [](const auto& u, const auto& v) { return u + v + u + v; }),
+      sum<SquaredNorm<2>>("u u + v v", {"squared norm of 2"},
+                          [](const auto& u, const auto& v) { return u * u + v * v; }),
+      sum<SquaredNorm<3>>("u u + v v + u u", {"squared norm of 3"},
+                          [](const auto& u, const auto& v) { return u * u + v * v + u * u; }),
+      sum<Dot<2>>("u v + u v", {"dot of 2"}, [](const auto& u, const auto& v) { return u * v + u * v; }),
+      sum<Dot<3>>("u v + u v + u v", {"dot of 3"},
+                  [](const auto& u, const auto& v) { return u * v + u * v + u * v; }),
       binary(
           "u / v", single, {"divide"}, reals, not_zero, [](const auto& u, const auto& v) { return u / v; },
           terms_of_quotient),
@@ -217,16 +245,16 @@ std::vector<Function> list() {
             [](const auto& u) { return erfc(u); }),
       // polar coordinates
       binary(
-          "hypot(x, y)", composed, {"length", "scaled sum of squares", "root of scaled"}, plane, plane,
-          [](const auto& x, const auto& y) { return hypot(x, y); }, terms_of_hypot),
+          "hypot(x, y)", composed, {"length", "scaled sum of squares", "root of scaled"}, plane,
+          plane_without_origin, [](const auto& x, const auto& y) { return hypot(x, y); }, terms_of_hypot),
       binary(
-          "hypot(c, x)", composed, {"length", "scaled square", "root of scaled"}, constant(plane), plane,
-          [](const auto& c, const auto& x) { return hypot(c[0], x); }, terms_of_hypot),
+          "hypot(c, x)", composed, {"length", "scaled square", "root of scaled"}, constant(plane),
+          plane_without_origin, [](const auto& c, const auto& x) { return hypot(c[0], x); }, terms_of_hypot),
       binary(
           "atan2(y, x)", composed, {"atan2", "length", "scaled sum of squares"}, upright, level,
           [](const auto& y, const auto& x) { return atan2(y, x); }, terms_of_atan2),
       binary(
-          "atan2(c, x)", composed, {"atan2 of constant", "length", "scaled square"}, constant(level), level,
+          "atan2(c, x)", composed, {"atan2 of constant", "length", "scaled square"}, constant(upright), level,
           [](const auto& c, const auto& x) { return atan2(c[0], x); }, terms_of_atan2),
       binary(
           "atan2(y, c)", composed, {"atan2 over constant", "length", "scaled square"}, upright,

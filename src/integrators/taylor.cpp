@@ -16,7 +16,7 @@ namespace {
 /// series that ends, as that of free fall, looks like one that has underflowed, but its coefficients do not shrink that
 /// fast before the end.
 double better_unit(const Expansion<double>& series, int n) {
-  const auto size = [&](int k) { return largest(series.position(k)); };
+  const auto size = [&](int k) { return series.position_norm(k); };
   const double least = std::numeric_limits<double>::min();
   if (std::isnormal(std::max(size(n), size(n - 1)))) return series.time_unit();
   int m = 1;
@@ -74,6 +74,8 @@ RandomTaylor::RandomTaylor(const System<double>& system, TruncationLaw law, std:
         "RandomTaylor: compensated sums of velocities from the derivative need a min_degree of at least 1");
   if (law_.is_fixed()) options_.shared_draw = true;
   degree_.resize(options_.shared_draw ? 1 : system.particles());
+  for (int n = 0; n <= law_.max_degree(); ++n) weights_.push_back(law_.weight(n));
+  weights_.push_back(0.0);  // so that a series of velocities may begin at weight 1
 }
 
 void RandomTaylor::draw() {
@@ -86,25 +88,26 @@ void RandomTaylor::draw() {
 }
 
 /// sum_{first<=n<=K} w_n c_n s^(n-first) by Horner's rule, c the series of the positions or that of the velocities.
-Coordinates<double> RandomTaylor::weighted_sum(bool of_velocity, double s, int first) const {
+void RandomTaylor::weighted_sum(bool of_velocity, double s, int first, Coordinates<double>& sum) const {
   const bool derivative = of_velocity && options_.velocity == VelocitySeries::derivative;
-  const auto term = [&](int n) { return of_velocity ? series_.velocity(n) : series_.position(n); };
   // With `derivative`, coefficient n of the velocity carries the weight of coefficient n + 1 of the position.
-  const auto weight = [&](int n) { return law_.weight(derivative ? n + 1 : n); };
+  const double* weight = weights_.data() + (derivative ? 1 : 0);
   const auto last = [&](int degree) { return derivative ? degree - 1 : degree; };
 
   const int top = last(*std::ranges::max_element(degree_));
-  Coordinates<double> sum = Coordinates<double>::Zero(series_.particles(), series_.dimension());
-  for (int n = top; n >= first; --n) {
-    if (options_.shared_draw) {
-      sum = sum * s + weight(n) * term(n);
-    } else {
-      const auto c = term(n);
-      for (int i = 0; i < series_.particles(); ++i)
-        if (n <= last(degree_[i])) sum.row(i) = sum.row(i) * s + weight(n) * c.row(i);
-    }
+  if (options_.shared_draw) {
+    if (of_velocity)
+      series_.velocity_sum(first, top, weight, s, sum);
+    else
+      series_.position_sum(first, top, weight, s, sum);
+    return;
   }
-  return sum;
+  sum.setZero(series_.particles(), series_.dimension());
+  for (int n = top; n >= first; --n) {
+    const auto c = of_velocity ? series_.velocity(n) : series_.position(n);
+    for (int i = 0; i < series_.particles(); ++i)
+      if (n <= last(degree_[i])) sum.row(i) = sum.row(i) * s + weight[n] * c.row(i);
+  }
 }
 
 /// The state at the end of the step in compensated sums, s = h / time unit:   x + (s sum_{n>=1} w_n x_n s^(n-1)).
@@ -113,8 +116,11 @@ void RandomTaylor::add_increments(State<double>& state, double s) const {
   for (auto* rest : {&state.position_rest, &state.velocity_rest})
     if (rest->size() == 0) rest->setZero(series_.particles(), series_.dimension());
   state.position_rest += s * series_.time_unit() * state.velocity_rest;
-  add_product(s, weighted_sum(false, s, 1), state.position, state.position_rest);
-  add_product(s, weighted_sum(true, s, 1), state.velocity, state.velocity_rest);
+  Coordinates<double> slope;
+  weighted_sum(false, s, 1, slope);
+  add_product(s, slope, state.position, state.position_rest);
+  weighted_sum(true, s, 1, slope);
+  add_product(s, slope, state.velocity, state.velocity_rest);
 }
 
 /// The series of this step up to an order, in a unit of time in which its coefficients are representable.
@@ -141,19 +147,21 @@ double RandomTaylor::step(State<double>& state, double limit, Report& report) {
   if (!control_->reads_series()) grow_to(order_needed(*std::ranges::max_element(degree_)), state);
 
   const double s = h / series_.time_unit();
-  State<double> next{state.time, {}, {}};
+  State<double>& next = next_;
   if (options_.compensated) {
     next = state;
     add_increments(next, s);
   } else {
-    next.position = weighted_sum(false, s, 0);
-    next.velocity = weighted_sum(true, s, 0);
+    next.time = state.time;
+    next.drop_rests();
+    weighted_sum(false, s, 0, next.position);
+    weighted_sum(true, s, 0, next.velocity);
   }
   if (!next.position.allFinite() || !next.velocity.allFinite()) {
     if (all_finite(series_, report)) all_finite(next.position, next.velocity, state.time, report);
     return 0.0;
   }
-  state = std::move(next);
+  std::swap(state, next);
   last_step_ = h;
   ++update_;
 

@@ -20,6 +20,12 @@ extern const KernelTable<double> table;
 }
 #endif
 
+template <>
+const KernelTable<double>& scalar_kernels<double>() {
+  static const auto table = detail::make_kernels<detail::ScalarLane<double>, double, 1>("scalar", Rules{});
+  return table;
+}
+
 std::vector<const KernelTable<double>*> available_kernels() {
   std::vector<const KernelTable<double>*> tables{&scalar_kernels<double>()};
 #if defined(__x86_64__)

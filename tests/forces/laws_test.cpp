@@ -198,11 +198,18 @@ TYPED_TEST(ForceLaws, IsTheSameOnJetsAndOnATape) {
     blocks.reserve(degree + 1);
     std::array<std::vector<RunningError<double>>, D> on_tape;
     for (int k = 0; k <= degree; ++k) {
-      for (const auto& [place, input] : program.inputs)
-        *blocks.at(0, place, k) = input.kind == Input::Kind::time ? moving.time[k].value
-                                  : input.kind == Input::Kind::position
-                                      ? moving.position[input.participant][input.component][k].value
-                                      : moving.velocity[input.participant][input.component][k].value;
+      for (const auto& [place, input] : program.inputs) {
+        const auto position = [&](int i) { return moving.position[i][input.component][k].value; };
+        double& to = *blocks.at(0, place, k);
+        switch (input.kind) {
+          case Input::Kind::time: to = moving.time[k].value; break;
+          case Input::Kind::position: to = position(input.participant); break;
+          case Input::Kind::separation:
+            to = position(input.participant) - position(1 - input.participant);
+            break;
+          case Input::Kind::velocity: to = moving.velocity[input.participant][input.component][k].value;
+        }
+      }
       blocks.run(0, k);
       for (int axis = 0; axis < D; ++axis)
         on_tape[axis].push_back(program.is_static && k > 0 ? 0.0 : *blocks.at(0, program.outputs[axis], k));

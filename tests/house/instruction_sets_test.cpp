@@ -67,11 +67,12 @@ using testing::IsEmpty;
 TEST(InstructionSets, NameAllThatTheyOfferToTheLinker) {
   const auto symbols =
       read_symbols(output_of(JETLAG_NM " --defined-only --extern-only '" JETLAG_LIBRARY "'"));
-  for (const std::string set : {"avx2", "avx512"}) {
-    const auto member = symbols.find("kernels_" + set + ".cpp.o");
-    ASSERT_NE(member, symbols.end()) << set;
-    EXPECT_THAT(unmarked(member->second, set), IsEmpty()) << set;
-  }
+  for (const std::string set : {"avx2", "avx512"})
+    for (const std::string file : {"kernels_", "ensemble_lanes_"}) {
+      const auto member = symbols.find(file + set + ".cpp.o");
+      ASSERT_NE(member, symbols.end()) << file << set;
+      EXPECT_THAT(unmarked(member->second, set), IsEmpty()) << file << set;
+    }
 }
 #endif
 

@@ -349,14 +349,14 @@ TEST(Expansion, CountsElementsTimesOrders) {  // F_0 .. F_{N-2} for order N; a u
 
 TEST(Expansion, HoldsTheBytesOfFiveHistoriesForASpring) {
   // one lane: 5 histories of the orders 0 .. degree - 2, the statics, two orders of the scratch, the operands of each
-  // instruction; 2 particles: rows of four for x, v and the reciprocal masses, and two indices of rows
+  // instruction; 2 particles: rows of four for x, v, the reciprocal masses and what they push in a unit of time, and two indices of rows
   System<> one(3, {1.0, 1.0});
   one.add<Spring>({{0, 1}}, {{1.0, 1.0}});
   constexpr int degree = 8;
   const Program program(record_law<Spring>(3).force);
   EXPECT_EQ(program.histories, 5);
   const std::size_t numbers =
-      5 * (degree - 1) + program.statics + 2 * program.scratches + 2 * 4 * (2 * (degree + 1) + 1);
+      5 * (degree - 1) + program.statics + 2 * program.scratches + 2 * 4 * (2 * (degree + 1) + 2);
   std::size_t operands = 0;
   for (const auto& instruction : program.instructions) operands += instruction.operands.size();
   EXPECT_EQ(Expansion<>(one, degree, scalar_kernels<double>()).bytes(),

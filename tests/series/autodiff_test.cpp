@@ -12,7 +12,7 @@ namespace {
 /// At points where all functions below exist.
 template <class F>
 void expect_same_derivatives(F f) {
-  for (const double x : {0.375, 1.0, 2.75}) expect_same_derivatives(f, x);
+  for (const double x : {0.375, 1.0, 2.75}) jetlag::testing::expect_same_derivatives(f, x);
 }
 
 TEST(AgreesWithBoostAutodiff, Sum) {

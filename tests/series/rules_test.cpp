@@ -140,8 +140,9 @@ TYPED_TEST(RuleLaws, TwoOrdersAtOnceAreOneAfterTheOther) {  // bit for bit, and 
     constexpr std::size_t n = TypeParam::reads.size();
     std::array<Jet<double, degree>, n> operands;
     for (std::size_t a = 0; a + 1 < n; ++a)
-      operands[a] = TypeParam::reads[a] == Reads::constant ? Jet<double, degree>(2.5)
-                                                           : random_operand<degree>(static_cast<int>(a));
+      operands[a] = TypeParam::reads[a] == Reads::constant
+                        ? Jet<double, degree>(2.5)
+                        : random_operand<TypeParam, degree>(static_cast<int>(a));
     const auto fresh = on_random_operands<TypeParam, degree>();
     for (int k = TypeParam::two_from; k < degree; ++k) {
       auto& v = operands[n - 1];

@@ -175,20 +175,29 @@ TYPED_TEST(SingularTable,
   EXPECT_NEAR(atan2(x, 2.0)[3], -0.0282244, 5e-8);
 }
 
-TYPED_TEST(SingularTable, AnglesAndLengthsAtTheOrigin) {  // for t > 0, where a power of t is cancelled
+TYPED_TEST(SingularTable,
+           AnglesAndLengthsAtTheOrigin) {  // through it the angle jumps by pi, the length has a kink
   const auto& t = this->t;
   using J = TypeParam;
   const double quarter = std::numbers::pi / 2;
-  this->reduced(atan2(t, t), {quarter / 2, 0, 0, 0});
-  this->reduced(atan2(t * t, t), {0, 1, 0, -1.0 / 3.0});  // atan(t)
-  this->reduced(atan2(t, 0.0), {quarter, 0, 0, 0});
-  this->reduced(atan2(0.0, t), {0, 0, 0, 0});
-  this->ends([&] { return atan2(0.0 * t, 0.0 * t); }, {},
-             "atan2: coefficient 0 does not exist at u_0 = 0, v_0 = 0");
-  this->complete(hypot(3.0 * t, 4.0 * t), {0, 5, 0, 0, 0});
-  this->complete(hypot(t, 0.0), {0, 1, 0, 0, 0});
-  this->complete(hypot(t, t * t), {0, 1, 0, 0.5, 0});  // t sqrt(1 + t^2)
+  const std::string nowhere = "atan2: coefficient 0 does not exist at u_0 = 0, v_0 = 0";
+  this->ends([&] { return atan2(t, t); }, {}, nowhere);
+  this->ends([&] { return atan2(t * t, t); }, {}, nowhere);
+  this->ends([&] { return atan2(t, 0.0); }, {}, nowhere);
+  this->ends([&] { return atan2(0.0, t); }, {}, nowhere);
+  this->ends([&] { return atan2(0.0 * t, 0.0 * t); }, {}, nowhere);
+  this->reduced(atan2(t * t, t * t), {quarter / 2, 0, 0});  // to it and back
+  this->reduced(atan2(t * t * t, t * t), {0, 1, 0});        // atan(t)
+  this->complete(hypot(3.0 * t * t, 4.0 * t * t), {0, 0, 5, 0, 0});
   this->complete(hypot(0.0 * t, J(0.0)), {0, 0, 0, 0, 0});
+  if constexpr (J::singularities == Singularities::quiet) {
+    this->ends([&] { return hypot(3.0 * t, 4.0 * t); }, {0}, "");
+    this->ends([&] { return hypot(t, 0.0); }, {0}, "");
+    this->ends([&] { return hypot(t * t * t, 0.0); }, {0, 0, 0}, "");  // |t|^3
+  } else {
+    EXPECT_THROW(hypot(3.0 * t, 4.0 * t), SingularPoint);
+    EXPECT_THROW(hypot(t, 0.0), SingularPoint);
+  }
 }
 
 TYPED_TEST(SingularTable, InverseHyperbolicFunctionsOfTwoX) {  // with the factor 2 of the chain rule

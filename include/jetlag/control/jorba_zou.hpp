@@ -42,6 +42,7 @@ class JorbaZou final : public Control {
 
  private:
   double max_step_;
+  std::vector<double> norms_;  // kept for the next step
 };
 
 }  // namespace jetlag

@@ -52,7 +52,7 @@ class RandomTaylor final : public Integrator {
  private:
   void draw();
   void grow_to(int order, const State<double>& state);
-  Coordinates<double> weighted_sum(bool of_velocity, double s, int first) const;
+  void weighted_sum(bool of_velocity, double s, int first, Coordinates<double>& sum) const;
   void add_increments(State<double>& state, double s) const;
   int order_needed(int degree) const {
     return options_.velocity == VelocitySeries::own_series ? degree + 1 : degree;
@@ -62,6 +62,8 @@ class RandomTaylor final : public Integrator {
   Expansion<double> series_;
   std::unique_ptr<Control> control_;
   Options options_;
+  std::vector<double> weights_;  // of the terms of the law
+  State<double> next_;           // room for the state at the end of a step
   std::vector<bool> fixed_;
   int moving_;
   std::uint64_t update_ = 0;

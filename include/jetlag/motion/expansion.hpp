@@ -72,6 +72,8 @@ class Expansion {
                                     " is fixed and must be at rest");
     time_ = state.time;
     time_unit_ = time_unit;
+    push_.resize(inverse_mass_.size());
+    for (std::size_t i = 0; i < push_.size(); ++i) push_[i] = inverse_mass_[i] * time_unit;
     for (int i = 0; i < particles_; ++i)
       for (int c = 0; c < dimension_; ++c) {
         at(x_, 0)[i * stride_ + c] = state.position(i, c);
@@ -106,12 +108,25 @@ class Expansion {
   /// Coefficient k of the velocities [m/s], times time_unit^k, k <= order() - 1.
   CoefficientView<T> velocity(int k) const { return view(v_, k); }
 
+  /// The largest absolute component of coefficient k of the positions, and of the velocities; not finite if one is not.
+  T position_norm(int k) const { return norm(x_, k); }
+  T velocity_norm(int k) const { return norm(v_, k); }
+
+  /// sum_{n=first..last} w_n c_n s^(n-first), by Horner's rule, c_n the coefficients of the positions or the velocities.
+  /// w: the weights of the terms 0 .. last. into: shape (particles, dimension).
+  void position_sum(int first, int last, const T* w, const T& s, Coordinates<T>& into) const {
+    sum(x_, first, last, w, s, into);
+  }
+  void velocity_sum(int first, int last, const T* w, const T& s, Coordinates<T>& into) const {
+    sum(v_, first, last, w, s, into);
+  }
+
   /// (element, order) pairs computed since construction: the honest unit of cost.
   std::size_t element_coefficients() const { return element_coefficients_; }
 
   /// Memory held for series, in bytes.
   std::size_t bytes() const {
-    std::size_t total = sizeof(T) * (x_.size() + v_.size() + inverse_mass_.size());
+    std::size_t total = sizeof(T) * (x_.size() + v_.size() + 2 * inverse_mass_.size());
     for (const auto* laws : {&without_velocity_, &with_velocity_})
       for (const auto& blocks : *laws) total += blocks.bytes();
     return total;
@@ -124,6 +139,42 @@ class Expansion {
     assert(0 <= k && k <= order_);
     return {series.data() + k * row_size(), particles_, dimension_, Eigen::OuterStride<>(stride_)};
   }
+  T norm(const AlignedVector<T>& series, int k) const {
+    using std::abs;
+    assert(0 <= k && k <= order_);
+    const T* c = series.data() + k * row_size();
+    T most(0), zero(0);
+    for (std::size_t i = 0; i < row_size(); ++i) {
+      const T size = abs(c[i]);
+      most = most < size ? size : most;
+      zero = zero + size * T(0);
+    }
+    return most + zero;
+  }
+
+  /// Eight numbers at a time go through all orders.
+  void sum(const AlignedVector<T>& series, int first, int last, const T* w, const T& s,
+           Coordinates<T>& into) const {
+    constexpr std::size_t width = 8;
+    into.resize(particles_, dimension_);
+    const std::size_t rows = row_size();
+    std::array<T, width> total;
+    for (std::size_t begin = 0; begin < rows; begin += width) {
+      const std::size_t size = std::min(width, rows - begin);
+      total.fill(T(0));
+      for (int n = last; n >= first; --n) {
+        const T *c = series.data() + n * rows + begin, &weight = w[n];
+        if (size == width)
+          for (std::size_t i = 0; i < width; ++i) total[i] = total[i] * s + weight * c[i];
+        else
+          for (std::size_t i = 0; i < size; ++i) total[i] = total[i] * s + weight * c[i];
+      }
+      for (std::size_t i = begin; i < begin + size; ++i)
+        if (const int component = static_cast<int>(i % stride_); component < dimension_)
+          into.data()[i / stride_ * dimension_ + component] = total[i - begin];
+    }
+  }
+
   MotionRows<T> motion(int k) {
     return {at(x_, k), at(v_, k), row_size(), time_, time_unit_, rest_.empty() ? nullptr : rest_.data()};
   }
@@ -134,11 +185,11 @@ class Expansion {
   /// From coefficient k of the forces, in the rows of the new positions, to x_{k+2} and v_{k+1}.
   void accelerate(std::size_t first, std::size_t last, int k) {
     T *x = at(x_, k + 2), *v = at(v_, k + 1);
-    const T of_velocity = T(1) / T(k + 1), of_position = T(1) / T((k + 1) * (k + 2));
+    const T of_velocity = T(1) / T(k + 1), of_position = time_unit_ / T((k + 1) * (k + 2));
     for (std::size_t i = first; i < last; ++i) {
-      const T change = x[i] * inverse_mass_[i] * time_unit_;
+      const T change = x[i] * push_[i];
       v[i] = change * of_velocity;
-      x[i] = change * time_unit_ * of_position;
+      x[i] = change * of_position;
     }
   }
 
@@ -237,6 +288,7 @@ class Expansion {
   int particles_, dimension_, stride_;
   Workers workers_;
   std::vector<T> inverse_mass_;  // one a padded component; 0 for fixed particles
+  std::vector<T> push_;          // the same times the unit of time
   std::vector<ElementBlocks<T>> without_velocity_, with_velocity_;
   std::vector<Chunk> chunks_;             // of large scenes
   std::unique_ptr<Wavefront> wavefront_;  // over the chunks; null for small scenes

@@ -120,7 +120,8 @@ class FirstOrderExpansion {
     for (std::size_t i = 0; i < y_.size(); ++i) {
       const Place place = blocks_.program().outputs[i];
       const bool zero = k > 0 && place.space == Place::Space::statics;
-      y_[i].push_back(zero ? T(0) : T(*blocks_.at(0, place, k) * time_unit_ / T(k + 1)));
+      const T rate = zero ? T(0) : *blocks_.at(0, place, k);
+      y_[i].push_back(T((time_unit_ == T(1) ? rate : T(rate * time_unit_)) / T(k + 1)));
     }
   }
 

@@ -101,13 +101,13 @@ struct DivideByConstant {
   static auto coefficient(int k, const auto& f, const auto& c, const auto&) { return f[k] / c[0]; }
 };
 
-/// q = c / g:   q_0 = c / g_0,   q_k = -(sum_{j=1..k} g_j q_{k-j}) / g_0.         Source: Divide with f = c.
+/// q = c / g:   q_0 = c / g_0,   q_k = -(sum_{j=0..k-1} q_j g_{k-j}) / g_0.         Source: Divide with f = c.
 /// Range: g_0 != 0. There q_0 is not finite.
 struct Reciprocal {
   static constexpr const char* name = "reciprocal";
   static constexpr std::array reads{Reads::constant, Reads::history, Reads::history};
   static auto coefficient(int k, const auto& c, const auto& g, const auto& q) {
-    return k == 0 ? c[0] / g[0] : -convolution(k, 1, k, g, q) / g[0];
+    return k == 0 ? c[0] / g[0] : -convolution(k, 0, k - 1, q, g) / g[0];
   }
 };
 

@@ -122,7 +122,7 @@ S acos(const S& u) {
   return lift<Acos, S>(u, sqrt(lift<OneMinusSquare, S>(u)));
 }
 
-/// Range: all reals.
+/// Range: all reals; beyond 1e154, the square of which overflows, coefficient 2 is not finite.
 template <Series S>
 S atan(const S& u) {
   return lift<Atan, S>(u, 1.0 + square(u));
@@ -142,8 +142,8 @@ S scaled_squares(const S& x, const X& c) {
 }
 }  // namespace detail
 
-/// sqrt(x^2 + y^2), without overflow.   Range: (x_0, y_0) != (0, 0). There a common power of t is taken out of jets
-/// (valuation.hpp); in other series coefficient 1 is not finite.
+/// sqrt(x^2 + y^2), without overflow.   Range: (x_0, y_0) != (0, 0). There an even common power t^l is taken out of
+/// jets; with an odd one there is a kink: coefficient l is the first that is not finite. In other series it is 1.
 template <Series S>
 S hypot(const S& x, const S& y) {
   return detail::without_common_power<1>(
@@ -159,8 +159,8 @@ S hypot(const X& c, const S& y) {
   return hypot(y, c);
 }
 
-/// The angle of (x, y), in [-pi, pi] at t = 0.   Range: (x_0, y_0) != (0, 0). There a common power of t is cancelled
-/// in jets (valuation.hpp: the angle for t > 0); without one, and in other series, coefficient 0 is not finite.
+/// The angle of (x, y), in [-pi, pi] at t = 0.   Range: (x_0, y_0) != (0, 0). There an even common power of t is
+/// cancelled in jets; with an odd one the angle jumps, and as in other series coefficient 0 is not finite.
 template <Series S>
 S atan2(const S& y, const S& x) {
   return detail::without_common_power<0>(

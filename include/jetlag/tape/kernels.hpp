@@ -73,6 +73,9 @@ struct KernelTable {
 template <class T>
 const KernelTable<T>& scalar_kernels();
 
+template <>
+const KernelTable<double>& scalar_kernels<double>();  // compiled once, in the library
+
 /// The kernels for T: for double the fastest that this machine runs, else the scalar ones.
 template <class T>
 const KernelTable<T>& kernels() {

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// The engine at its limit: everything that `./run bench engine` puts into one table.
+
+#include "engine.hpp"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <tuple>
+
+#include "benchmarks.hpp"
+#include "jetlag/control/jorba_zou.hpp"
+#include "jetlag/integrators/taylor.hpp"
+#include "jetlag/motion/expansion.hpp"
+
+namespace jetlag::bench {
+
+namespace {
+
+// ---- the peak of the machine ------------------------------------------------------------------------------
+
+/// Multiply-adds of 16 independent vectors of the widest registers this machine has; returns how many numbers a vector
+/// holds. More than a fused multiply-add unit can keep in flight, and no loads: the peak.
+template <int width>
+[[gnu::always_inline]] inline int multiply_adds(std::int64_t rounds) {
+  typedef double Vector __attribute__((vector_size(width * sizeof(double))));
+  Vector sum[16], factor = {}, addend = {};
+  for (int i = 0; i < width; ++i) factor[i] = 0.999, addend[i] = 1e-3;
+  for (auto& s : sum) s = addend;
+  for (std::int64_t round = 0; round < rounds; ++round)
+    for (auto& s : sum) s = s * factor + addend;
+  for (auto& s : sum) benchmark::DoNotOptimize(s);
+  return width;
+}
+#if defined(__x86_64__)
+[[gnu::target("avx512f"), gnu::optimize("fp-contract=fast")]] int multiply_adds_avx512(std::int64_t rounds) {
+  return multiply_adds<8>(rounds);
+}
+[[gnu::target("avx2,fma"), gnu::optimize("fp-contract=fast")]] int multiply_adds_avx2(std::int64_t rounds) {
+  return multiply_adds<4>(rounds);
+}
+#endif
+int multiply_adds_plain(std::int64_t rounds) { return multiply_adds<2>(rounds); }
+
+void peak(benchmark::State& run) {
+  constexpr std::int64_t rounds = 1000;
+  auto* function = &multiply_adds_plain;
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) function = &multiply_adds_avx2;
+  if (__builtin_cpu_supports("avx512f")) function = &multiply_adds_avx512;
+#endif
+  int width = 0;
+  for (auto _ : run) width = function(rounds);
+  run.counters["items"] = static_cast<double>(16 * rounds * width);
+}
+
+// ---- expansions -------------------------------------------------------------------------------------------
+
+/// A scene and its expansion, set up once: the large ones take seconds.
+struct Prepared {
+  Scene scene;
+  Expansion<double> series;
+
+  Prepared(const std::string& name, int degree, int threads)
+      : scene(bench::scene(name)), series(scene.system, degree, kernels<double>(), Workers(threads)) {}
+};
+Prepared& prepared(const std::string& name, int degree, int threads) {
+  static std::map<std::tuple<std::string, int, int>, std::unique_ptr<Prepared>> all;
+  auto& known = all[{name, degree, threads}];
+  if (!known) known = std::make_unique<Prepared>(name, degree, threads);
+  return *known;
+}
+
+/// All coefficients of the motion.
+void expand(benchmark::State& run, const std::string& name, int degree, int threads) {
+  auto& [scene, series] = prepared(name, degree, threads);
+  for (auto _ : run) {
+    series.start(scene.state);
+    series.grow_to(degree);
+    benchmark::ClobberMemory();
+  }
+  run.counters["items"] = static_cast<double>(scene.elements());
+  run.counters["bytes"] = static_cast<double>(series.bytes()) / static_cast<double>(scene.elements());
+}
+
+// ---- small systems ----------------------------------------------------------------------------------------
+
+constexpr int degree_of_small_systems = 20;
+
+/// One step of Taylor's method with the choice of its length, along the motion; begun anew before it drifts far.
+void step(benchmark::State& run, const std::string& name) {
+  const Scene scene = bench::scene(name);
+  const auto integrator = taylor(scene.system, degree_of_small_systems, std::make_unique<JorbaZou>());
+  State<double> state = scene.state;
+  Report report;
+  int steps = 0;
+  for (auto _ : run) {
+    state.time += integrator->step(state, 1e9, report);
+    if (++steps % 1000 == 0) state = scene.state;
+  }
+  if (report.outcome != Outcome::success) run.SkipWithError(report.message.c_str());
+  run.counters["items"] = 1;
+}
+
+/// From nothing to the end of the first step: laws are recorded, memory is laid out.
+void start_up(benchmark::State& run) {
+  for (auto _ : run) {
+    const Scene scene = bench::scene("solar");
+    const auto integrator = taylor(scene.system, degree_of_small_systems, std::make_unique<JorbaZou>());
+    State<double> state = scene.state;
+    Report report;
+    integrator->step(state, 1e9, report);
+    benchmark::DoNotOptimize(state.position.data());
+  }
+  run.counters["items"] = 1;
+}
+
+}  // namespace
+
+void register_engine() {
+  const auto name = [](const std::string& what) { return "engine/" + what; };
+  benchmark::RegisterBenchmark(name("peak").c_str(), peak);
+  for (const std::string cloth : {"cloth10", "cloth50", "cloth300"})
+    benchmark::RegisterBenchmark(name(cloth).c_str(), expand, cloth, 16, 1)->UseRealTime();
+  benchmark::RegisterBenchmark(name("cloth300/2_threads").c_str(), expand, "cloth300", 16, 2)->UseRealTime();
+  for (const int degree : engine_degrees)
+    benchmark::RegisterBenchmark(name("degree/" + std::to_string(degree)).c_str(), expand, "cloth10", degree,
+                                 1);
+  for (const int side : engine_sides)
+    benchmark::RegisterBenchmark(name("size/" + std::to_string(side)).c_str(), expand,
+                                 "cloth" + std::to_string(side), 8, 1);
+  for (const std::string system : {"solar", "pendulum", "kepler"})
+    benchmark::RegisterBenchmark(name(system).c_str(), step, system);
+  benchmark::RegisterBenchmark(name("start_up").c_str(), start_up);
+}
+
+}  // namespace jetlag::bench
