@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// An observable: a function of time, positions and velocities, and its Taylor series along a motion.
+//
+//   Observable height = [](const auto& t, const auto& x, const auto& v) { return x(0, 1) - 0.5; };
+//   for (const Crossing& c : crossings(piece, height)) ...         when component 1 of particle 0 passes 1/2
+//
+// The function is a template over its scalar, like a force law, and is called once, with a scalar that records:
+// x(i, c) and v(i, c) are component c of particle i. Only the particles that it reads cost anything.
+//
+// The series. Along a piece of degree N a function that is linear in time, positions and velocities is a polynomial of
+// degree N, exactly. Any other is expanded to degree max(2N, 40), and anew from the middle of an interval where its last
+// two terms are not below rounding at the end: what is found is g of the method's own motion, not g truncated at N.
+
+#include <concepts>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "jetlag/motion/piece.hpp"
+#include "jetlag/tape/program.hpp"
+#include "jetlag/tape/recording.hpp"
+
+namespace jetlag {
+
+class Observable {
+ public:
+  /// g(t, x, v) returns a scalar; see above. Throws what g throws.
+  template <class G>
+    requires(!std::same_as<G, Observable>)
+  Observable(const G& g) {  // implicit: a lambda is an observable
+    Recording recording;
+    const auto coordinates = [&recording](Input::Kind kind) {
+      return [&recording, kind](int particle, int component) {
+        return recording.input({kind, particle, component});
+      };
+    };
+    const Recorded t = recording.input({Input::Kind::time, 0, 0});
+    const Recorded value = g(t, coordinates(Input::Kind::position), coordinates(Input::Kind::velocity));
+    tape_ = recording.finish({value});
+  }
+
+  const Tape& tape() const { return tape_; }
+
+  /// Throws std::invalid_argument, which begins with `who`, when it reads a coordinate that does not exist.
+  void require_fit(const std::string& who, int particles, int dimension) const;
+
+ private:
+  Tape tape_;
+};
+
+/// c(t - begin) = sum_k c_k (t - begin)^k on [begin, end].
+struct LocalSeries {
+  double begin, end;
+  std::vector<double> c;
+
+  double at(double t) const;
+  /// Whether it exists: not where g is singular (1/x at 0), nor beyond (sqrt(x) at x < 0).
+  bool is_finite() const;
+};
+
+/// Computes an observable, again and again: it holds the memory for that.
+class ObservableSeries {
+ public:
+  explicit ObservableSeries(const Observable& g);
+
+  /// g of a state.
+  double operator()(const State<double>& state);
+
+  /// g along a piece, see above: one series, or several that follow each other. Terms at the end that are smaller than
+  /// 2^-60 of the whole are left out.
+  std::vector<LocalSeries> along(const Piece& piece);
+
+ private:
+  using Rows = std::vector<std::vector<double>>;  // the polynomial of each input
+  void append(Rows rows, double begin, double end, int halvings, std::vector<LocalSeries>& all);
+  double coefficient(int k);
+
+  Blocks<double> blocks_;
+};
+
+/// A time at which an observable changes sign.
+struct Crossing {
+  double time;  // [s] the first double at or after the change
+  bool rising;  // from negative to positive
+  friend bool operator==(const Crossing&, const Crossing&) = default;
+};
+
+/// All crossings in (begin, end] of finite series that follow each other, in order: the polynomial changes sign between
+/// the double before `time` and `time`, in exact arithmetic. See series/roots.hpp for roots close together and touches.
+/// Neighbours join to rounding only. Where their values differ in sign, which would hide a crossing or repeat it,
+/// coefficient 0 of the later one becomes the value at the end of the earlier one.
+std::vector<Crossing> crossings(std::span<LocalSeries> series);
+
+/// As above for an observable along a piece. Throws std::invalid_argument when it reads a coordinate that does not
+/// exist, and where its series is not finite.
+std::vector<Crossing> crossings(const Piece& piece, const Observable& g);
+
+}  // namespace jetlag
