@@ -9,8 +9,9 @@
 // x(i, c) and v(i, c) are component c of particle i. Only the particles that it reads cost anything.
 //
 // The series. Along a piece of degree N a function that is linear in time, positions and velocities is a polynomial of
-// degree N, exactly. Any other is expanded to degree max(2N, 40), and anew from the middle of an interval where its last
-// two terms are not below rounding at the end: what is found is g of the method's own motion, not g truncated at N.
+// degree N, exactly. Any other is expanded to degree max(2N, 40), and anew from the middle of an interval where its
+// last two terms are not below rounding at the end: what is found is g of the method's own motion, not g truncated at
+// N.
 
 #include <concepts>
 #include <span>
