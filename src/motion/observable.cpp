@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "jetlag/motion/clock.hpp"
 #include "jetlag/series/roots.hpp"
@@ -126,8 +127,9 @@ double LocalSeries::at(double t) const { return accurate_value(c, time_between(b
 
 bool LocalSeries::is_finite() const { return std::isfinite(rounding_of(c, 2 * (end - begin))); }
 
-std::vector<Crossing> crossings(std::span<LocalSeries> series, std::optional<double> before) {
+std::vector<Crossing> crossings(std::span<LocalSeries> series) {
   std::vector<Crossing> found;
+  std::optional<double> before;  // the value at the end of the series before
   for (auto& [begin, end, c] : series) {
     if (before && sign(*before) != sign(c[0])) c[0] = *before;
     const double h = time_between(begin, end);

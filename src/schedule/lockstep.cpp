@@ -3,11 +3,14 @@
 
 #include <stdexcept>
 
+#include "schedule/event_watch.hpp"
+
 namespace jetlag {
 
 Report Lockstep::run(State<double>& state, double until, const RunOptions& options) {
   if (!(until >= state.time))
     throw std::invalid_argument("run: until must not lie before the time of the state");
+  EventWatch events(options, state);
   double lost = 0;  // what rounding has cut from state.time
   for (std::uint64_t step = 0; state.time < until; ++step) {
     if (step >= options.max_steps)
@@ -16,7 +19,7 @@ Report Lockstep::run(State<double>& state, double until, const RunOptions& optio
                   ", is used up at t = " + std::to_string(state.time) + "; allow more or take longer steps",
               -1};
     Report report;
-    const double begin = state.time, limit = (until - begin) - lost;
+    const double begin = state.time, limit = (until - begin) - lost, lost_before = lost;
     const double h = integrator_->step(state, limit, report);
     if (report.outcome != Outcome::success) return report;
     if (h == limit) {
@@ -26,8 +29,15 @@ Report Lockstep::run(State<double>& state, double until, const RunOptions& optio
       state.time = begin + length;
       lost = length - (state.time - begin);
     }
-    if (options.after_step && !options.after_step({*integrator_, state, begin}))
-      return {Outcome::interrupted, "stopped at t = " + std::to_string(state.time), -1};
+    if (!events.idle()) {
+      const double end = state.time;
+      report = events.look(integrator_->piece(), state);
+      if (report.outcome != Outcome::success && report.outcome != Outcome::event) return report;
+      if (state.time != end) lost = lost_before;  // the step ends at an event, by the clock of its beginning
+    }
+    const bool go_on = !options.after_step || options.after_step({*integrator_, state, begin});
+    if (report.outcome == Outcome::event) return report;
+    if (!go_on) return {Outcome::interrupted, "stopped at t = " + std::to_string(state.time), -1};
   }
   return {};
 }

@@ -9,11 +9,11 @@
 // x(i, c) and v(i, c) are component c of particle i. Only the particles that it reads cost anything.
 //
 // The series. Along a piece of degree N a function that is linear in time, positions and velocities is a polynomial of
-// degree N, exactly. Any other is expanded to degree max(2N, 40), and anew from the middle of an interval where its last
-// two terms are not below rounding at the end: what is found is g of the method's own motion, not g truncated at N.
+// degree N, exactly. Any other is expanded to degree max(2N, 40), and anew from the middle of an interval where its
+// last two terms are not below rounding at the end: what is found is g of the method's own motion, not g truncated at
+// N.
 
 #include <concepts>
-#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -92,8 +92,8 @@ struct Crossing {
 /// All crossings in (begin, end] of finite series that follow each other, in order: the polynomial changes sign between
 /// the double before `time` and `time`, in exact arithmetic. See series/roots.hpp for roots close together and touches.
 /// Neighbours join to rounding only. Where their values differ in sign, which would hide a crossing or repeat it,
-/// coefficient 0 of the later one becomes the value at the end of the earlier one. before: that value for the first.
-std::vector<Crossing> crossings(std::span<LocalSeries> series, std::optional<double> before = {});
+/// coefficient 0 of the later one becomes the value at the end of the earlier one.
+std::vector<Crossing> crossings(std::span<LocalSeries> series);
 
 /// As above for an observable along a piece. Throws std::invalid_argument when it reads a coordinate that does not
 /// exist, and where its series is not finite.

@@ -9,9 +9,9 @@
 
 namespace jetlag {
 
-/// Runs a schedule as schedule.run(state, until, options) does, and adds the motion of every step to `trajectory`, which
-/// must be empty or end at state.time. Pieces end at the time of the state after the step, so that they meet exactly.
-/// Throws std::invalid_argument as Schedule::run and Trajectory::add do.
+/// Runs a schedule as schedule.run(state, until, options) does, and adds the motion of every step to `trajectory`,
+/// which must be empty or end at state.time. Pieces end at the time of the state after the step, so that they meet
+/// exactly. Throws std::invalid_argument as Schedule::run and Trajectory::add do.
 inline Report record(Schedule& schedule, State<double>& state, double until, Trajectory& trajectory,
                      RunOptions options = {}) {
   options.after_step = [&trajectory, then = std::move(options.after_step)](const StepView& view) {

@@ -5,8 +5,10 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <vector>
 
 #include "jetlag/integrators/integrator.hpp"
+#include "jetlag/schedule/events.hpp"
 
 namespace jetlag {
 
@@ -20,7 +22,12 @@ struct StepView {
 struct RunOptions {
   std::uint64_t max_steps = std::numeric_limits<std::uint64_t>::max();
 
-  /// Called after every step; returning false ends the run as `interrupted`.
+  /// What to watch for; a step ends at an event that changes the state or ends the run. Without events: no cost.
+  std::vector<Event> events;
+  /// Where every hit is appended, in order of time; null: nowhere.
+  std::vector<EventHit>* hits = nullptr;
+
+  /// Called after every step, after its events; returning false ends the run as `interrupted`.
   std::function<bool(const StepView&)> after_step;
 };
 
