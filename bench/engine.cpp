@@ -4,12 +4,14 @@
 #include "engine.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <tuple>
 
 #include "benchmarks.hpp"
 #include "jetlag/control/jorba_zou.hpp"
+#include "jetlag/integrators/ensemble.hpp"
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/motion/expansion.hpp"
 
@@ -115,6 +117,20 @@ void start_up(benchmark::State& run) {
   run.counters["items"] = 1;
 }
 
+// ---- ensembles --------------------------------------------------------------------------------------------
+
+/// The same system from states that differ by millionths, followed for `length` of its time in an iteration.
+void ensemble(benchmark::State& run, const std::string& name, int members, int threads, double length) {
+  const Scene scene = bench::scene(name);
+  std::vector<State<double>> states(members, scene.state);
+  for (int i = 0; i < members; ++i) states[i].position *= 1.0 + 1e-6 * i;
+  Ensemble all(scene.system, degree_of_small_systems, states, std::numeric_limits<double>::infinity(),
+               Workers(threads));
+  double until = 0;
+  for (auto _ : run) all.advance_to(until += length);
+  run.counters["items"] = static_cast<double>(all.steps()) / static_cast<double>(run.iterations());
+}
+
 }  // namespace
 
 void register_engine() {
@@ -132,6 +148,12 @@ void register_engine() {
   for (const std::string system : {"solar", "pendulum", "kepler"})
     benchmark::RegisterBenchmark(name(system).c_str(), step, system);
   benchmark::RegisterBenchmark(name("start_up").c_str(), start_up);
+  benchmark::RegisterBenchmark(name("ensemble/kepler").c_str(), ensemble, "planar_kepler", 256, 1, 20.0);
+  benchmark::RegisterBenchmark(name("ensemble/solar").c_str(), ensemble, "solar", 32, 1, 2e4);
+  for (const int threads : {1, 2})
+    benchmark::RegisterBenchmark(name("ensemble/solar1000/" + std::to_string(threads)).c_str(), ensemble,
+                                 "solar", 1000, threads, 2e4)
+        ->UseRealTime();
 }
 
 }  // namespace jetlag::bench

@@ -87,6 +87,11 @@ void print_engine(const Reporter& reporter, std::ostream& out) {
       {"  first step from nothing [ms]", times(1e-6, item("start_up")), {at_most, 10}},
       {"pendulum, degree 20 [ns a step]", item("pendulum"), {at_most, 350}},
       {"Kepler orbit, degree 20 [ns a step]", item("kepler"), {at_most, 600}},
+      {"  256 planar ones in lanes [ns a step of each]", item("ensemble/kepler"), {at_most, 150}},
+      {"32 Solar Systems in lanes [ns a step of each]", item("ensemble/solar"), {at_most, 1000}},
+      {"1000 of them, 1 thread / 2 threads",
+       divided(item("ensemble/solar1000/1"), item("ensemble/solar1000/2")),
+       {at_least, 1.9}},
   };
   out << "\nThe engine\n";
   for (const Line& line : lines) {

@@ -82,6 +82,15 @@ Scene kepler() {
   return {"kepler", std::move(system), std::move(state)};
 }
 
+Scene planar_kepler() {
+  State<double> state{0.0, Coordinates<double>(2, 2), Coordinates<double>(2, 2)};
+  state.position << 0, 0, 0.5, 0;
+  state.velocity << 0, 0, 0, std::sqrt(3.0);
+  System<double> system(2, {1.0, 1e-9});
+  system.add<Gravity>({{0, 1}}, {{1.0}});
+  return {"planar_kepler", std::move(system), std::move(state)};
+}
+
 Scene solar() {
   const std::vector<double> mass{1.00000597682,      0.000954786104043,  0.000285583733151,
                                  0.0000437273164546, 0.0000517759138449, 1 / 1.3e8};
@@ -132,9 +141,11 @@ Scene pendulum() {
 Scene scene(const std::string& name) {
   if (name.starts_with("cloth")) return cloth(std::stoi(name.substr(5)));
   if (name == "kepler") return kepler();
+  if (name == "planar_kepler") return planar_kepler();
   if (name == "solar") return solar();
   if (name == "pendulum") return pendulum();
-  throw std::invalid_argument("scene: '" + name + "' is not one of cloth<side>, kepler, solar, pendulum");
+  throw std::invalid_argument("scene: '" + name +
+                              "' is not one of cloth<side>, kepler, planar_kepler, solar, pendulum");
 }
 
 }  // namespace jetlag::bench

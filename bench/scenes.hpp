@@ -24,6 +24,9 @@ Scene cloth(int side);
 /// Two bodies that attract each other, masses 3 and 1, G = 1, on an ellipse inclined to all axes.
 Scene kepler();
 
+/// A light body on a planar orbit of eccentricity 1/2 about a heavy one, G = 1.
+Scene planar_kepler();
+
 /// The Sun with the inner planets, Jupiter, Saturn, Uranus, Neptune and Pluto; astronomical units and days.
 /// Source: [HLW06] I.2.4, heliocentric positions and velocities of September 5, 1994.
 Scene solar();
@@ -31,7 +34,7 @@ Scene solar();
 /// A pendulum in its angle: x'' = -sin x, at rest at 1.3.
 Scene pendulum();
 
-/// By name: cloth<side>, kepler, solar, pendulum.   Throws std::invalid_argument.
+/// By name: cloth<side>, kepler, planar_kepler, solar, pendulum.   Throws std::invalid_argument.
 Scene scene(const std::string& name);
 
 }  // namespace jetlag::bench

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "jetlag/series/error_free.hpp"
+
 namespace jetlag {
 
 namespace {
@@ -37,25 +39,15 @@ double better_unit(const Expansion<double>& series, int n) {
   return std::ldexp(series.time_unit(), -static_cast<int>(std::lround(growth)));
 }
 
-/// a + b = value + rest, exactly.         Source: Knuth, TAOCP 2, 4.2.2.
-struct Sum {
-  double value, rest;
-};
-Sum two_sum(double a, double b) {
-  const double value = a + b, b_part = value - a;
-  return {value, (a - (value - b_part)) + (b - b_part)};
-}
-
 /// y + rest += s slope, where the product and the sum keep what does not fit a double.
 void add_product(double s, const Coordinates<double>& slope, Coordinates<double>& y,
                  Coordinates<double>& rest) {
   for (Eigen::Index i = 0; i < y.size(); ++i) {
-    const double product = s * slope.data()[i];
-    const Sum sum = two_sum(y.data()[i], product);
-    const Sum whole =
-        two_sum(sum.value, sum.rest + (std::fma(s, slope.data()[i], -product) + rest.data()[i]));
-    y.data()[i] = whole.value;
-    rest.data()[i] = whole.rest;
+    const auto product = two_product(s, slope.data()[i]);
+    const auto sum = two_sum(y.data()[i], product.high);
+    const auto whole = two_sum(sum.high, sum.low + (product.low + rest.data()[i]));
+    y.data()[i] = whole.high;
+    rest.data()[i] = whole.low;
   }
 }
 
