@@ -60,7 +60,7 @@ double JorbaZou::propose(const Prospect& prospect) {
   double h = max_step_ / unit;
   h = shortened(h, 2, [&](int k) { return series.position_norm(k); });
   h = shortened(h, 1, [&](int k) { return series.velocity_norm(k); });
-  return h * unit;
+  return std::min(h * unit, max_step_);
 }
 
 }  // namespace jetlag

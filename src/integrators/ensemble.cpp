@@ -126,6 +126,9 @@ Ensemble::Ensemble(const System<double>& system, int degree, const std::vector<S
   for (std::size_t e = 0; e < blocks() * lanes; ++e) {  // lanes beyond the last trajectory repeat it
     const State<double>& state = states[std::min(e, count_ - 1)];
     require_shape(state, particles_, dimension_);
+    if (!std::isfinite(state.time))
+      throw std::invalid_argument("Ensemble: the time of state " + std::to_string(std::min(e, count_ - 1)) +
+                                  " must be finite");
     time_[e] = state.time;
     for (int c = 0; c < components_; ++c) {
       if (inverse_mass_[c] == 0.0 && state.velocity.data()[c] != 0.0)

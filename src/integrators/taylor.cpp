@@ -36,7 +36,8 @@ double better_unit(const Expansion<double>& series, int n) {
   if (m < 2 || !(first >= least)) return series.time_unit();
   const double growth = (std::log2(last) - std::log2(first)) / m;
   if (overflow ? growth < 1 : growth > -16) return series.time_unit();
-  return std::ldexp(series.time_unit(), -static_cast<int>(std::lround(growth)));
+  const double unit = std::ldexp(series.time_unit(), -static_cast<int>(std::lround(growth)));
+  return std::clamp(unit, 0x1p-900, 0x1p900);
 }
 
 /// y + rest += s slope, where the product and the sum keep what does not fit a double.
@@ -56,7 +57,7 @@ void add_product(double s, const Coordinates<double>& slope, Coordinates<double>
 RandomTaylor::RandomTaylor(const System<double>& system, TruncationLaw law, std::unique_ptr<Control> control,
                            Options options)
     : law_(std::move(law)),
-      series_(system, law_.max_degree() + 1),
+      series_(system, law_.max_degree() + 1, kernels<double>(), Workers(options.threads)),
       control_(std::move(control)),
       options_(options),
       fixed_(system.fixed()),

@@ -72,6 +72,11 @@ double ObservableSeries::operator()(const State<double>& state) {
 }
 
 std::vector<LocalSeries> ObservableSeries::along(const Piece& piece) {
+  if (piece.unit != 1)
+    throw std::invalid_argument(
+        "an observable is followed in seconds, in which the coefficients of this motion over- or underflow: "
+        "measure "
+        "its time in another unit");
   Rows rows;
   for (const auto& [place, input] : blocks_.program().inputs) {
     std::vector<double>& row = rows.emplace_back();

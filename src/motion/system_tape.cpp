@@ -19,7 +19,8 @@ std::optional<Recorded> scaled_power(Recording& recording, const std::vector<Nod
   if (power.kind != Node::Kind::operation || power.rule != rule_id<Power> || power.is_static) return {};
   const Recorded& exponent = value[power.operands[0]];
   const double c = value[node.operands[0]].value(), a = exponent.is_number() ? exponent.value() : 0.0;
-  if (!(c > 1e-100 && c < 1e100) || !(std::abs(a) >= 0.5)) return {};
+  // The root of c and its product are rounded, and a multiplies that.
+  if (!(c > 1e-30 && c < 1e30) || !(std::abs(a) >= 0.5 && std::abs(a) <= 4)) return {};
   const Recorded f = value[power.operands[1]];
   const int scale = recording.node_of(Recorded(std::pow(c, 1 / a)));
   const Recorded scaled = recording.operation(rule_id<Scale>, {scale, recording.node_of(f)}, false);

@@ -68,12 +68,12 @@ const Piece& Trajectory::piece_at(double t) const {
 
 Eigen::RowVectorXd Trajectory::position(int particle, double t) const {
   const Piece& piece = with_particle(piece_at(t), particle);
-  return horner(piece.position, particle, t - piece.begin);
+  return horner(piece.position, particle, (t - piece.begin) / piece.unit);
 }
 
 Eigen::RowVectorXd Trajectory::velocity(int particle, double t) const {
   const Piece& piece = with_particle(piece_at(t), particle);
-  return horner(piece.velocity, particle, t - piece.begin);
+  return horner(piece.velocity, particle, (t - piece.begin) / piece.unit);
 }
 
 std::size_t Trajectory::bytes() const {

@@ -32,6 +32,7 @@ std::vector<std::array<int, 2>> read_forces(const Value& forces, const Particles
 struct Method {
   std::function<std::unique_ptr<Schedule>()> schedule;
   std::uint64_t max_steps;
+  int threads;
   std::optional<double> fixed_step;
   double mean_orders;
   int largest_degree;

@@ -122,11 +122,13 @@ struct MethodArguments {
   const Value& control;
   std::shared_ptr<const System<double>> system;
   std::uint64_t seed;
+  int threads;
 };
 
 IntegratorFactory series_method(const MethodArguments& arguments, TruncationLaw law, bool shared_draw) {
   const RandomTaylor::Options options{arguments.seed, shared_draw, read_velocity_series(arguments.integrator),
-                                      arguments.integrator.at("compensated", false).boolean()};
+                                      arguments.integrator.at("compensated", false).boolean(),
+                                      arguments.threads};
   const double orders = law.mean() + (options.velocity == VelocitySeries::own_series ? 1 : 0) - 1;
   std::shared_ptr<const Control> model = read_control(arguments.control, law, *arguments.system);
   return {[system = arguments.system, law, model, options] {
@@ -159,6 +161,9 @@ IntegratorFactory read_random_taylor(const MethodArguments& arguments) {
 IntegratorFactory read_leapfrog(const MethodArguments& arguments) {
   const Value& control = arguments.control;
   arguments.integrator.only({"type"});
+  if (arguments.threads > 1)
+    throw SceneError("schedule.threads: got " + std::to_string(arguments.threads) +
+                     "; must be 1 for leapfrog");
   if (chosen(control, controls).read != read_fixed)
     control.at("type").refuse("fixed, which is what leapfrog works with");
   control.only({"type", "step", "courant"});
@@ -179,19 +184,28 @@ constexpr IntegratorReader integrators[] = {
 
 Method read_method(const Value& scene, std::shared_ptr<const System<double>> system, std::uint64_t seed) {
   const Value schedule = scene.at("schedule", Json{{"type", "lockstep"}});
-  schedule.only({"type", "max_steps"}).at("type", "lockstep").one_of({"lockstep"});
+  schedule.only({"type", "max_steps", "threads"}).at("type", "lockstep").one_of({"lockstep"});
   const auto most = std::numeric_limits<std::int64_t>::max();
   const auto max_steps = schedule.has("max_steps") ? schedule.at("max_steps").integer(1, most) : most;
+
+  constexpr std::int64_t most_threads = 1024;
+  const int threads =
+      schedule.has("threads") ? static_cast<int>(schedule.at("threads").integer(1, most_threads)) : 1;
 
   const Value integrator = scene.at("integrator"), control = scene.at("control");
   if (!integrator.is_object()) integrator.refuse("an object with a type");
   if (!control.is_object()) control.refuse("an object with a type");
-  const auto method = chosen(integrator, integrators).read({integrator, control, std::move(system), seed});
+  const auto method =
+      chosen(integrator, integrators).read({integrator, control, std::move(system), seed, threads});
   std::optional<double> fixed_step;
   if (control.at("type").text() == "fixed" && !control.has("courant"))
     fixed_step = control.at("step").number(positive);
   return {[make = method.make] { return std::make_unique<Lockstep>(make()); },
-          static_cast<std::uint64_t>(max_steps), fixed_step, method.mean_orders, method.largest_degree};
+          static_cast<std::uint64_t>(max_steps),
+          threads,
+          fixed_step,
+          method.mean_orders,
+          method.largest_degree};
 }
 
 }  // namespace jetlag

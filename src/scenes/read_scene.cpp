@@ -74,6 +74,7 @@ Scene read(Json json, const std::filesystem::path& folder) {
   scene.system = std::move(system);
   scene.schedule = std::move(method.schedule);
   scene.max_steps = method.max_steps;
+  scene.threads = method.threads;
   scene.fixed_step = method.fixed_step;
   scene.mean_orders = method.mean_orders;
   scene.json = json.dump(2);

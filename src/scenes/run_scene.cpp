@@ -163,6 +163,7 @@ RunResult run_schedule(const Scene& scene, Schedule& schedule, const RunHooks& h
   summary.velocity = std::move(state.velocity);
   summary.version = version;
   summary.seed = scene.seed;
+  summary.threads = scene.threads;
   summary.instruction_set = kernels<double>().instruction_set;
   return result;
 }

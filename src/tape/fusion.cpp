@@ -152,11 +152,15 @@ class Fusion {
 }  // namespace
 
 Tape fused(const Tape& tape) {
-  Tape separated = tape;
-  fuse_separations(separated);
-  Fusion fusion(pruned(separated));
+  Fusion fusion(tape);
   fusion.find_sums();
   return fusion.result();
+}
+
+Tape with_separations(const Tape& tape) {
+  Tape separated = tape;
+  fuse_separations(separated);
+  return pruned(separated);
 }
 
 }  // namespace jetlag

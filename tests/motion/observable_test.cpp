@@ -53,6 +53,23 @@ Piece polynomial(double begin, double end, const std::vector<double>& c) {
 
 const auto position = [](const auto&, const auto& x, const auto&) { return x(0, 0); };
 
+TEST(Observable, MayBeASeparation) {  // which laws of two participants read in another way
+  State<double> state{0.0, Coordinates<double>::Zero(2, 1), Coordinates<double>::Constant(2, 1, 7.0)};
+  state.position << 5.0, 2.0;
+  EXPECT_EQ(
+      ObservableSeries([](const auto&, const auto& x, const auto&) { return x(0, 0) - x(1, 0); })(state),
+      3.0);
+  EXPECT_EQ(
+      ObservableSeries([](const auto&, const auto& x, const auto&) { return x(1, 0) - x(0, 0); })(state),
+      -3.0);
+}
+
+TEST(Observable, RefusesAPieceThatDoesNotCountSeconds) {
+  Piece piece = polynomial(0.0, 1.0, {-1.0, 2.0});
+  piece.unit = 0x1p-60;
+  EXPECT_THROW(crossings(piece, Observable(position)), std::invalid_argument);
+}
+
 TEST(Observable, IsAFunctionOfTheState) {
   ObservableSeries g(
       [](const auto& t, const auto& x, const auto& v) { return t * x(1, 0) + v(0, 2) * v(0, 2); });

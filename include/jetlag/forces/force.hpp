@@ -32,6 +32,7 @@
 #include <utility>
 #include <vector>
 
+#include "jetlag/tape/fusion.hpp"
 #include "jetlag/tape/recording.hpp"
 #include "jetlag/tape/tape.hpp"
 
@@ -102,7 +103,7 @@ RecordedLaw record_in_dimension() {
     Recording recording;
     const Vector<Recorded, D> f = call_recorded<L, D>(
         recording, [](const auto& p, const auto&... c) -> Vector<Recorded, D> { return L::force(p, c...); });
-    law.force = recording.finish({f.data(), f.data() + D});
+    law.force = with_separations(recording.finish({f.data(), f.data() + D}));
     law.force.parameters = all_parameters;
   }
   constexpr bool has_energy = requires(Participants<Recorded, D, L::participants> p) {
@@ -115,7 +116,7 @@ RecordedLaw record_in_dimension() {
     Recording recording;
     const Recorded e = call_recorded<L, D>(
         recording, [](const auto& p, const auto&... c) -> Recorded { return L::energy(p, c...); });
-    law.energy = recording.finish({e});
+    law.energy = with_separations(recording.finish({e}));
     law.energy->parameters = all_parameters;
   }
   return law;

@@ -25,7 +25,8 @@ namespace jetlag {
 
 /// Taylor's method of a fixed degree with the step of Jorba and Zou (control/jorba_zou.hpp), as `taylor` with `JorbaZou`,
 /// to rounding. A trajectory has the same bits in any company and for any number of workers, as long as the blocks
-/// have the same width.
+/// have the same width. Time is counted in seconds: of motions of more than 1e15 or less than 1e-15 radians a second
+/// coefficient 20 is beyond doubles, and their trajectories end as non_finite or are stepped by what is left.
 class Ensemble {
  public:
   /// Keeps no reference to the system. degree: >= 1. states: one for each trajectory; their rests are dropped, their

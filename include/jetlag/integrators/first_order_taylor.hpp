@@ -244,7 +244,7 @@ class FirstOrderTaylor {
     if (last < 2 || !std::isnormal(first)) return unit_;
     const double growth = (std::log2(norms_[last]) - std::log2(first)) / last;
     if (end <= p ? growth < 1 : growth > -16) return unit_;
-    return std::ldexp(unit_, -static_cast<int>(std::lround(growth)));
+    return std::clamp(std::ldexp(unit_, -static_cast<int>(std::lround(growth))), 0x1p-900, 0x1p900);
   }
 
   bool series_is_finite(const T& time, Report& report) const {

@@ -36,6 +36,9 @@ class RandomTaylor final : public Integrator {
     /// Adds the increments of a step to positions and velocities in compensated sums, whose rests the state carries
     /// along: over many steps that are accurate to rounding, the error becomes some six times smaller.
     bool compensated = false;
+
+    /// Threads that expand a large scene, >= 1; the result does not depend on their number.
+    int threads = 1;
   };
 
   RandomTaylor(const System<double>& system, TruncationLaw law, std::unique_ptr<Control> control)

@@ -215,7 +215,8 @@ class ElementBlocks {
   void gather(std::size_t b, int k, int n, const MotionRows<T>& motion) {
     const int lanes = blocks_.lanes();
     T* waste = waste_.data() + b / Blocks<T>::blocks_of_a_chunk * lanes;
-    if (time_) std::fill_n(blocks_.at(b, *time_, k), lanes, k == 0 ? motion.time : k == 1 ? motion.time_unit : T(0));
+    if (time_)
+      std::fill_n(blocks_.at(b, *time_, k), lanes, k == 0 ? motion.time : k == 1 ? motion.time_unit : T(0));
     for (const InputRows& input : inputs_) {
       std::array<T*, 3> to{};
       for (int c = 0; c < dimension_; ++c)

@@ -71,7 +71,7 @@ class ObservableSeries {
   double operator()(const State<double>& state);
 
   /// g along a piece, see above: one series, or several that follow each other. Terms at the end that are smaller than
-  /// 2^-60 of the whole are left out.
+  /// 2^-60 of the whole are left out. Throws std::invalid_argument for a piece whose unit of time is not 1 s.
   std::vector<LocalSeries> along(const Piece& piece);
 
  private:

@@ -35,6 +35,7 @@ struct Scene {
   double until = 0;
   std::uint64_t seed = 1;
   std::uint64_t max_steps = 0;
+  int threads = 1;
   OutputOptions output;
 
   /// A new schedule with its integrator and control, before its first update.

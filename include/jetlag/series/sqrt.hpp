@@ -17,7 +17,7 @@ struct Sqrt {
     using std::sqrt;
     return k == 0 ? sqrt(f[0]) : (f[k] - symmetric_convolution(k, 1, s)) / (s[0] + s[0]);
   }
-  static constexpr int two_from = 4;
+  static constexpr int two_from = 5;  // from here on both sums have a term
   static auto two_coefficients(int k, const auto& f, const auto& s) {
     using T = std::decay_t<decltype(s[0] * s[0])>;
     const int half = k / 2, last = (k + 1) / 2 - 1;
