@@ -230,17 +230,19 @@ class Expansion {
         for (std::size_t c = 0; c < touched.size(); ++c)
           all.push_back({{&blocks, c, {}}, std::move(touched[c])});
       }
-    const auto highest = [](const auto& chunk) { return *std::ranges::max_element(chunk.second); };
-    std::ranges::stable_sort(all, {}, highest);
+    std::vector<std::pair<int, std::size_t>> order;  // by the highest particle, then as they came
+    for (std::size_t c = 0; c < all.size(); ++c)
+      order.emplace_back(*std::ranges::max_element(all[c].second), c);
+    std::ranges::sort(order);
     std::vector<std::size_t> last(particles_, 0), needed;
     for (std::size_t c = 0; c < all.size(); ++c)
-      for (int particle : all[c].second) last[particle] = c;
-    for (int i = 0; i < particles_; ++i) all[last[i]].first.last_of.push_back(i);
-    for (auto& [chunk, touched] : all) {
+      for (int particle : all[order[c].second].second) last[particle] = c;
+    for (int i = 0; i < particles_; ++i) all[order[last[i]].second].first.last_of.push_back(i);
+    for (const auto& [highest, c] : order) {
       std::size_t latest = 0;
-      for (int particle : touched) latest = std::max(latest, last[particle]);
+      for (int particle : all[c].second) latest = std::max(latest, last[particle]);
       needed.push_back(latest);
-      chunks_.push_back(std::move(chunk));
+      chunks_.push_back(std::move(all[c].first));
     }
     wavefront_ = std::make_unique<Wavefront>(std::move(needed));
   }

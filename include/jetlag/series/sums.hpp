@@ -20,19 +20,21 @@ consteval std::array<Reads, n + 1> reads_alike(Reads reads) {
   return all;
 }
 
+template <class T>
+T plus(const T& a, const T& b) {
+  return a + b;
+}
+template <class T>
+Two<T> plus(const Two<T>& a, const Two<T>& b) {
+  return {a[0] + b[0], a[1] + b[1]};
+}
+
 /// f(0) + f(1) + ... + f(n-1), for numbers or for two orders at once.
 template <int n>
 auto added(const auto& f) {
   return [&]<std::size_t... I>(std::index_sequence<I...>) {
     auto sum = f(std::integral_constant<std::size_t, 0>{});
-    const auto add = [&](const auto& term) {
-      if constexpr (requires { sum + term; }) {
-        sum = sum + term;
-      } else {
-        sum[0] = sum[0] + term[0];
-        sum[1] = sum[1] + term[1];
-      }
-    };
+    const auto add = [&](const auto& term) { sum = plus(sum, term); };
     (add(f(std::integral_constant<std::size_t, I + 1>{})), ...);
     return sum;
   }(std::make_index_sequence<n - 1>{});
