@@ -52,8 +52,8 @@ TEST(FarFromZero,
 }
 
 TEST(FarFromZero, ErfcHasItsDigits) {
-  for (const double x : {2.0, 10.0, 25.0})
-    expect_digits(erfc(x + t), [&](int k) -> D {  // DLMF 7.10.1
+  for (const double x : {2.1, 10.1, 25.1})
+    expect_digits(erfc(x + t), [&](int k) -> D {  // DLMF 7.10.1; x^2 is not exact
       if (k == 0) return erfc(D(x));
       const D bell = 2 / sqrt(boost::math::constants::pi<D>()) * exp(-D(x) * x);
       return (k % 2 ? -1 : 1) * boost::math::hermite(k - 1, D(x)) * bell / boost::math::factorial<D>(k);

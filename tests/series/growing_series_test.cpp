@@ -6,6 +6,7 @@
 
 #include <stdexcept>
 
+#include "jetlag/series/comparisons.hpp"
 #include "support/close.hpp"
 #include "support/counted.hpp"
 #include "support/digits50.hpp"
@@ -25,6 +26,18 @@ TEST(GrowingSeries, HasTheBitsOfAJet) {
   const auto jet = expression(Jet<double, 30>::variable(0.75));
   const auto series = expression(GrowingSeries<double>::variable(0.75));
   for (int k = 0; k <= 30; ++k) EXPECT_EQ(series[k], jet[k]) << k;
+}
+
+TEST(GrowingSeries, TakesEveryFunction) {
+  const auto f = [](const auto& x) {
+    return asin(x / 4.0) - acos(x / 4.0) * atan(x) + tan(x) * sinh(x) - cosh(x) / tanh(x) + asinh(x) +
+           acosh(x + 1.0) + atanh(x / 4.0) + hypot(x, 2.0 - x) * atan2(x, 2.0) - atan2(x * x, x) +
+           cbrt(x) * expm1(x) - log1p(x) + log2(x) * log10(x) + erf(x) - erfc(2.0 * x) + pow(2.0, x) +
+           abs(x) - min(x, 1.0) * max(x, 1.0 - x);
+  };
+  const auto jet = f(Jet<double, 20>::variable(0.75));
+  const auto series = f(GrowingSeries<double>::variable(0.75));
+  for (int k = 0; k <= 20; ++k) EXPECT_EQ(series[k], jet[k]) << k;
 }
 
 TEST(GrowingSeries, ComputesACoefficientWhenItIsAskedFor) {

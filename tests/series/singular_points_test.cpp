@@ -30,6 +30,8 @@ TEST(SingularPoint, RealPowerAtZeroHasItsValueOnly) {
   EXPECT_EQ(first_not_finite(pow(t, 0.5)), 1);
   EXPECT_EQ(pow(t, 0.5)[0], 0.0);
   EXPECT_EQ(first_not_finite(pow(t, -0.5)), 0);
+  EXPECT_LE(first_not_finite(pow(t, 1.5)), 2);  // coefficients 0 and 1 are 0, the next does not exist
+  for (int k = 0; k < first_not_finite(pow(t, 1.5)); ++k) EXPECT_EQ(pow(t, 1.5)[k], 0.0);
 }
 
 TEST(SingularPoint, LogAtZeroHasNoValue) {

@@ -231,7 +231,8 @@ S erfc(const S& u) {
 
 // ---- powers ----------------------------------------------------------------------------------------------
 
-/// u^n for a whole number n, by repeated squaring: holds for any u_0 (n < 0: u_0 != 0; n > INT_MIN).   Cost: <= 2 log2 |n| products.
+/// u^n for a whole number n, by repeated squaring: holds for any u_0 (n < 0: u_0 != 0; n > INT_MIN).
+/// Cost: <= 2 log2 |n| products.
 template <Series S>
 S pow(const S& u, int n) {
   if (n < 0) return pow(1.0 / u, -n);

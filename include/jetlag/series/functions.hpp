@@ -2,6 +2,9 @@
 #pragma once
 // The register of rules: to add a function, write its file and add its line here. Tapes, SIMD kernels,
 // the table of functions and the laws of tests/series run over this list.
+//
+// A jet needs of its number type only the functions that are called; a tape needs all of them: those of <cmath> that the
+// rules name, < and <=. For Boost.Multiprecision include <boost/math/special_functions/erf.hpp>.
 
 #include <type_traits>
 
