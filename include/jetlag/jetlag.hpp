@@ -28,13 +28,9 @@
 #include "jetlag/series/elementary.hpp"
 #include "jetlag/series/growing_series.hpp"
 #include "jetlag/series/jet.hpp"
-<<<<<<< .merge_file_P7L9sT
 #include "jetlag/series/radius.hpp"
 #include "jetlag/series/resume.hpp"
 #include "jetlag/series/roots.hpp"
-=======
-#include "jetlag/series/resume.hpp"
->>>>>>> .merge_file_Hcu6Qw
 #include "jetlag/tape/program.hpp"
 #include "jetlag/tape/recording.hpp"
 #include "jetlag/truncation/draws.hpp"

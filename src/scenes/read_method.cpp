@@ -9,7 +9,7 @@
 #include "jetlag/control/variance_target.hpp"
 #include "jetlag/integrators/leapfrog.hpp"
 #include "jetlag/integrators/taylor.hpp"
-#include "jetlag/scenes/scene.hpp"
+#include "jetlag/scenes/error.hpp"
 #include "jetlag/schedule/lockstep.hpp"
 #include "scenes/parts.hpp"
 
