@@ -7,7 +7,8 @@ function(jetlag_own_target target)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # g++ 12 merges functions of jets of different degrees (-fipa-icf) and then warns of the larger one's bounds.
     target_compile_options(${target} PRIVATE -Wno-array-bounds)
-    target_compile_options(${target} PRIVATE -Wno-restrict)  # g++ 12 warns of "literal" + std::string: PR 105651
+    # g++ 12 warns of "literal" + std::string: PR 105651, PR 105329
+    target_compile_options(${target} PRIVATE -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread)
     if(CMAKE_CXX_FLAGS MATCHES "-fsanitize")
       target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized)  # instrumented code misleads it
     endif()
