@@ -23,9 +23,12 @@ namespace {
 
 /// Multiply-adds of 16 independent vectors of the widest registers this machine has; returns how many numbers a vector
 /// holds. More than a fused multiply-add unit can keep in flight, and no loads: the peak.
-template <int width>
+typedef double TwoNumbers __attribute__((vector_size(16)));
+typedef double FourNumbers __attribute__((vector_size(32)));
+typedef double EightNumbers __attribute__((vector_size(64)));
+template <class Vector>
 [[gnu::always_inline]] inline int multiply_adds(std::int64_t rounds) {
-  typedef double Vector __attribute__((vector_size(width * sizeof(double))));
+  constexpr int width = sizeof(Vector) / sizeof(double);
   Vector sum[16], factor = {}, addend = {};
   for (int i = 0; i < width; ++i) factor[i] = 0.999, addend[i] = 1e-3;
   for (auto& s : sum) s = addend;
@@ -36,13 +39,13 @@ template <int width>
 }
 #if defined(__x86_64__)
 [[gnu::target("avx512f"), gnu::optimize("fp-contract=fast")]] int multiply_adds_avx512(std::int64_t rounds) {
-  return multiply_adds<8>(rounds);
+  return multiply_adds<EightNumbers>(rounds);
 }
 [[gnu::target("avx2,fma"), gnu::optimize("fp-contract=fast")]] int multiply_adds_avx2(std::int64_t rounds) {
-  return multiply_adds<4>(rounds);
+  return multiply_adds<FourNumbers>(rounds);
 }
 #endif
-int multiply_adds_plain(std::int64_t rounds) { return multiply_adds<2>(rounds); }
+int multiply_adds_plain(std::int64_t rounds) { return multiply_adds<TwoNumbers>(rounds); }
 
 void peak(benchmark::State& run) {
   constexpr std::int64_t rounds = 1000;
