@@ -2,8 +2,10 @@
 #include "studies/studies.hpp"
 
 #include "studies/long_runs.hpp"
+#include "studies/paper_figures.hpp"
 #include "studies/paper_table.hpp"
 #include "studies/reference_table.hpp"
+#include "studies/speed_against_error.hpp"
 
 namespace jetlag {
 
@@ -11,8 +13,10 @@ void add_studies(CLI::App& app, std::optional<Study>& chosen) {
   auto* study = app.add_subcommand("study", "make a table from many runs");
   study->require_subcommand(1);
   add_paper_table(*study, chosen);
+  add_paper_figures(*study, chosen);
   add_reference_table(*study, chosen);
   add_long_runs(*study, chosen);
+  add_speed_against_error(*study, chosen);
 }
 
 }  // namespace jetlag

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The methods that are compared: as in a scene file, without the step.
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace jetlag {
+
+struct Competitor {
+  std::string family;  // methods of one family share a curve
+  std::string name;
+  nlohmann::ordered_json integrator, control;
+  bool random = false;   // differs from seed to seed
+  bool has_step = true;  // control.step is to be filled in
+  double tolerance = 0;  // where it has not: of the control, for the name
+};
+
+std::vector<Competitor> competitors();
+
+}  // namespace jetlag

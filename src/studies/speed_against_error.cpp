@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+#include "studies/speed_against_error.hpp"
+
+#include <fmt/format.h>
+#include <time.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+#include <map>
+
+#include "jetlag/motion/energy.hpp"
+#include "jetlag/output/files.hpp"
+#include "jetlag/output/pictures.hpp"
+#include "jetlag/scenes/error.hpp"
+#include "scenes/parts.hpp"
+#include "studies/competitors.hpp"
+#include "studies/test_problems.hpp"
+#include "studies/work_precision_chart.hpp"
+
+namespace jetlag {
+
+namespace {
+
+struct Arguments {
+  std::vector<std::string> problems, scenes, families;
+  std::filesystem::path folder = "out/speed_against_error";
+  int seeds = 8, steps = 6;
+};
+
+/// All runs of one method at one step.
+struct Row {
+  std::string family, method;
+  double step = 0;  // [s]; 0: chosen by the method
+  int seeds = 0, failed = 0;
+  double position_error = 0, energy_error = 0;       // root mean square over seeds; NaN where there is none
+  double element_coefficients = 0, mean_degree = 0;  // mean over seeds
+  double seconds =
+      std::numeric_limits<double>::infinity();  // the least of the seeds, processor time of one thread
+};
+
+double processor_seconds() {
+  timespec t;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+/// step: filled in where the method has one.
+Row run(const TestProblem& problem, const Competitor& competitor, double step, int seeds) {
+  Row row{competitor.family, competitor.name, competitor.has_step ? step : 0.0};
+  Json json = {{"integrator", competitor.integrator}, {"control", competitor.control}};
+  if (competitor.has_step) json["control"]["step"] = step;
+  EnergyMeter energy(*problem.system);
+  const double initial = energy(problem.initial).total();
+  double squares = 0, energy_squares = 0;
+  for (int seed = 1; seed <= (competitor.random ? seeds : 1); ++seed) {
+    Json copy = json;
+    const Method method = read_method(Value(copy, ""), problem.system, static_cast<std::uint64_t>(seed));
+    const auto schedule = method.schedule();
+    State<double> state = problem.initial;
+    const double start = processor_seconds();
+    const Report report = schedule->run(state, problem.until, {});
+    const double seconds = processor_seconds() - start;
+    ++row.seeds;
+    if (report.outcome != Outcome::success) {
+      ++row.failed;
+      continue;
+    }
+    const double error = distance(*problem.system, state.position, problem.end.position),
+                 energy_error = energy(state).total() / initial - 1;
+    squares += error * error;
+    energy_squares += energy_error * energy_error;
+    row.element_coefficients += static_cast<double>(schedule->work().element_coefficients);
+    row.mean_degree += schedule->work().mean_degree();
+    row.seconds = std::min(row.seconds, seconds);
+  }
+  const double good = row.seeds - row.failed, none = std::numeric_limits<double>::quiet_NaN();
+  row.position_error = row.failed == 0 ? std::sqrt(squares / good) : none;
+  row.energy_error = row.failed == 0 && problem.has_energy_error ? std::sqrt(energy_squares / good) : none;
+  row.element_coefficients /= good;
+  row.mean_degree /= good;
+  return row;
+}
+
+std::string shown(double value, const char* format = "{:.2e}") {
+  return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "-";
+}
+
+void print(const Row& row) {
+  fmt::print("{:<22} {:<30} {:>10} {:>11} {:>11} {:>12} {:>9} {:>7}{}\n", row.family, row.method,
+             row.step > 0 ? shown(row.step, "{:.4g}") : "chosen", shown(row.position_error),
+             shown(row.energy_error), shown(row.element_coefficients, "{:.4g}"), shown(row.seconds, "{:.3g}"),
+             shown(row.mean_degree, "{:.2f}"),
+             row.failed > 0 ? fmt::format("   {} of {} runs failed", row.failed, row.seeds) : "");
+  std::fflush(stdout);
+}
+
+std::string csv_of(const std::vector<Row>& rows) {
+  const auto field = [](double value) { return std::isfinite(value) ? number(value) : std::string(); };
+  std::string csv =
+      "family,method,step,seeds,failed,position_error,energy_error,element_coefficients,seconds,mean_"
+      "degree\n";
+  for (const Row& row : rows)
+    csv += row.family + ",\"" + row.method + "\"," + field(row.step) + ',' + std::to_string(row.seeds) + ',' +
+           std::to_string(row.failed) + ',' + field(row.position_error) + ',' + field(row.energy_error) +
+           ',' + field(row.element_coefficients) + ',' + field(row.seconds) + ',' + field(row.mean_degree) +
+           '\n';
+  return csv;
+}
+
+/// The least work of each family for errors up to some, over all its methods and steps.
+void print_least_work(const std::vector<Row>& rows, double floor) {
+  std::vector<std::string> families;
+  for (const Row& row : rows)
+    if (std::ranges::find(families, row.family) == families.end()) families.push_back(row.family);
+  std::vector<double> targets;
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (const Row& row : rows)
+    if (std::isfinite(row.position_error)) {
+      least = std::min(least, row.position_error);
+      most = std::max(most, row.position_error);
+    }
+  for (double target = 1; target > std::max(least, floor) && targets.size() < 7; target /= 100)
+    if (target < most) targets.push_back(target);
+  fmt::print("\nleast element coefficients for a position error of at most ...\n{:<22}", "");
+  for (double target : targets) fmt::print(" {:>10.0e}", target);
+  fmt::print("\n");
+  for (const std::string& family : families) {
+    fmt::print("{:<22}", family);
+    for (double target : targets) {
+      double work = std::numeric_limits<double>::infinity();
+      for (const Row& row : rows)
+        if (row.family == family && row.position_error <= target)
+          work = std::min(work, row.element_coefficients);
+      fmt::print(" {:>10}", shown(work, "{:.3g}"));
+    }
+    fmt::print("\n");
+  }
+}
+
+void compare(const TestProblem& problem, const Arguments& arguments, const std::vector<Competitor>& all) {
+  fmt::print("\n{}: {}\nreference to {:.1e} m; errors are root mean squares over particles and {} seeds\n\n",
+             problem.name, problem.description, problem.end_error, arguments.seeds);
+  fmt::print("{:<22} {:<30} {:>10} {:>11} {:>11} {:>12} {:>9} {:>7}\n", "family", "method", "step [s]",
+             "error [m]", "energy", "elem. coef.", "CPU [s]", "degree");
+  std::vector<Row> rows;
+  for (const Competitor& competitor : all)
+    for (int i = 0; i < (competitor.has_step ? arguments.steps : 1); ++i) {
+      rows.push_back(run(problem, competitor, std::ldexp(problem.largest_step, -i), arguments.seeds));
+      print(rows.back());
+    }
+  print_least_work(rows, 10 * problem.end_error);
+  write_file(arguments.folder / (problem.name + ".csv"), csv_of(rows));
+  fmt::print("\n{}\n", (arguments.folder / (problem.name + ".csv")).string());
+  if (!can_draw()) {
+    fmt::print("gnuplot is not in PATH: no picture\n");
+    return;
+  }
+  std::vector<WorkPrecision> points;
+  for (const Row& row : rows)
+    if (std::isfinite(row.position_error))
+      points.push_back({row.family, row.position_error, row.element_coefficients, row.seconds});
+  const auto picture = arguments.folder / (problem.name + ".svg");
+  draw_work_precision(picture, problem.description, points, problem.end_error);
+  fmt::print("{}\n", picture.string());
+}
+
+int run_study(const Arguments& arguments) {
+  std::vector<Competitor> chosen;
+  for (Competitor& competitor : competitors())
+    if (arguments.families.empty() || std::ranges::count(arguments.families, competitor.family) > 0)
+      chosen.push_back(std::move(competitor));
+  std::vector<Scene> scenes;  // all are checked before the first is run
+  for (const std::string& name : arguments.scenes) scenes.push_back(load_scene(name));
+  std::filesystem::create_directories(arguments.folder);
+  for (const Scene& scene : scenes) compare(problem_of(scene), arguments, chosen);
+  for (const auto& entry : test_problems()) {
+    const bool named = std::ranges::count(arguments.problems, entry.name) > 0;
+    if (!named && !(arguments.problems.empty() && scenes.empty())) continue;
+    TestProblem problem = entry.make();
+    problem.name = entry.name;
+    problem.description = entry.description;
+    compare(problem, arguments, chosen);
+  }
+  return 0;
+}
+
+std::vector<std::string> names_of_problems() {
+  std::vector<std::string> names;
+  for (const auto& entry : test_problems()) names.push_back(entry.name);
+  return names;
+}
+
+std::vector<std::string> names_of_families() {
+  std::vector<std::string> names;
+  for (const Competitor& competitor : competitors())
+    if (std::ranges::find(names, competitor.family) == names.end()) names.push_back(competitor.family);
+  return names;
+}
+
+}  // namespace
+
+void add_speed_against_error(CLI::App& study, std::optional<Study>& chosen) {
+  auto* command = study.add_subcommand(
+      "speed_against_error", "work against error of fixed and random degrees, as tables, CSV and pictures");
+  auto arguments = std::make_shared<Arguments>();
+  command->add_option("--problem", arguments->problems, "only these problems")
+      ->check(CLI::IsMember(names_of_problems()));
+  command->add_option("--scene", arguments->scenes,
+                      "a built-in scene or a JSON file; its own method is not used");
+  command->add_option("--family", arguments->families, "only these families of methods")
+      ->check(CLI::IsMember(names_of_families()));
+  command->add_option("--seeds", arguments->seeds, "runs of each random method")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command->add_option("--steps", arguments->steps, "step lengths, each half of the one before")
+      ->check(CLI::Range(1, 20))
+      ->capture_default_str();
+  command->add_option("--out", arguments->folder, "folder for tables and pictures")->capture_default_str();
+  command->callback([&chosen, arguments] { chosen = [arguments] { return run_study(*arguments); }; });
+}
+
+}  // namespace jetlag
