@@ -34,4 +34,8 @@
 #include "jetlag/tape/program.hpp"
 #include "jetlag/tape/recording.hpp"
 #include "jetlag/truncation/draws.hpp"
+#include "jetlag/truncation/poisson.hpp"
+#include "jetlag/truncation/sequential.hpp"
+#include "jetlag/truncation/single_term.hpp"
 #include "jetlag/truncation/truncation.hpp"
+#include "jetlag/truncation/variance_capped.hpp"
