@@ -52,31 +52,94 @@ void add_product(double s, const Coordinates<double>& slope, Coordinates<double>
   }
 }
 
+/// What is known of a law before any term is.
+TruncationLaw known_beforehand(const Truncation& law) {
+  const auto* sequential = std::get_if<SequentialLaw>(&law);
+  return sequential != nullptr ? sequential->lower_bound() : std::get<TruncationLaw>(law);
+}
+
+std::optional<SequentialLaw> sequential_part(const Truncation& law) {
+  const auto* sequential = std::get_if<SequentialLaw>(&law);
+  return sequential != nullptr ? std::optional(*sequential) : std::nullopt;
+}
+
+/// A fixed degree is one for all, and nothing is drawn.
+RandomTaylor::Options with_one_draw_if_fixed(RandomTaylor::Options options, const TruncationLaw& law) {
+  if (law.is_fixed()) {
+    options.shared_draw = true;
+    options.draws = Draw::independent;
+  }
+  return options;
+}
+
 }  // namespace
 
-RandomTaylor::RandomTaylor(const System<double>& system, TruncationLaw law, std::unique_ptr<Control> control,
+RandomTaylor::RandomTaylor(const System<double>& system, Truncation law, std::unique_ptr<Control> control,
                            Options options)
-    : law_(std::move(law)),
+    : law_(known_beforehand(law)),
+      sequential_(sequential_part(law)),
       series_(system, law_.max_degree() + 1, kernels<double>(), Workers(options.threads)),
       control_(std::move(control)),
-      options_(options),
+      options_(with_one_draw_if_fixed(options, law_)),
+      draws_(options_.draws, sequential_ ? nullptr : &law_, options_.seed,
+             options_.shared_draw ? 1 : static_cast<std::uint32_t>(system.particles())),
+      stride_(law_.max_degree() + 2),
+      weights_differ_(sequential_ || law_.weighting() == Weighting::single_term),
       fixed_(system.fixed()),
       moving_(moving_particles(system)) {
   if (options_.compensated && options_.velocity == VelocitySeries::derivative && law_.min_degree() == 0)
     throw std::invalid_argument(
         "RandomTaylor: compensated sums of velocities from the derivative need a min_degree of at least 1");
-  if (law_.is_fixed()) options_.shared_draw = true;
   degree_.resize(options_.shared_draw ? 1 : system.particles());
-  for (int n = 0; n <= law_.max_degree(); ++n) weights_.push_back(law_.weight(n));
-  weights_.push_back(0.0);  // so that a series of velocities may begin at weight 1
+  // The 0 after the last: with `derivative` a series of velocities begins at weight 1.
+  weights_.assign(stride_ * (weights_differ_ ? degree_.size() : 1), 0.0);
+  if (!weights_differ_)
+    for (int n = 0; n <= law_.max_degree(); ++n) weights_[n] = law_.weight(n);
 }
 
+/// Degrees and weights of this step, for a law that is known beforehand.
 void RandomTaylor::draw() {
   for (std::size_t i = 0; i < degree_.size(); ++i) {
-    const auto particle = options_.shared_draw ? shared_by_all : static_cast<std::uint32_t>(i);
-    degree_[i] = law_.is_fixed()                      ? law_.max_degree()
-                 : !options_.shared_draw && fixed_[i] ? law_.min_degree()
-                                                      : law_.draw(uniform(options_.seed, particle, update_));
+    degree_[i] = law_.is_fixed() ? law_.max_degree()
+                 : !draws_for(i) ? law_.min_degree()
+                                 : draws_.degree(law_, key(i), update_);
+    if (weights_differ_)
+      for (int n = 0; n <= degree_[i]; ++n) weights(i)[n] = law_.weight(n, degree_[i]);
+  }
+}
+
+/// Degrees and weights of this step of length h for a sequential law, order by order: the series grows no further than
+/// the draws go. Each goes on to order n while u <= P(K >= n) = p_{m+1} .. p_n.
+void RandomTaylor::roulette(double h, const State<double>& state) {
+  const int m = sequential_->min_degree();
+  grow_to(order_needed(m), state);
+  const auto size = [&](std::size_t i, int n) {
+    const double c = options_.shared_draw
+                         ? series_.position_norm(n)
+                         : series_.position(n).row(static_cast<Eigen::Index>(i)).cwiseAbs().maxCoeff();
+    return c * std::pow(h / series_.time_unit(), n);
+  };
+  std::vector<std::size_t> going;
+  std::vector<double> u(degree_.size()), tail(degree_.size(), 1.0);
+  std::vector<std::vector<double>> sizes(degree_.size());
+  for (std::size_t i = 0; i < degree_.size(); ++i) {
+    degree_[i] = m;
+    std::fill_n(weights(i), m + 1, 1.0);
+    if (!draws_for(i)) continue;
+    going.push_back(i);
+    u[i] = draws_.number(key(i), update_);
+    for (int n = 0; n < m; ++n) sizes[i].push_back(size(i, n));
+  }
+  for (int n = m + 1; n <= sequential_->max_degree() && !going.empty(); ++n) {
+    std::erase_if(going, [&](std::size_t i) {
+      sizes[i].push_back(size(i, n - 1));
+      tail[i] *= sequential_->go_on(n, sizes[i], 1.0 / tail[i]);
+      if (u[i] > tail[i]) return true;
+      degree_[i] = n;
+      weights(i)[n] = 1.0 / tail[i];
+      return false;
+    });
+    if (!going.empty()) grow_to(order_needed(n), state);
   }
 }
 
@@ -84,11 +147,12 @@ void RandomTaylor::draw() {
 void RandomTaylor::weighted_sum(bool of_velocity, double s, int first, Coordinates<double>& sum) const {
   const bool derivative = of_velocity && options_.velocity == VelocitySeries::derivative;
   // With `derivative`, coefficient n of the velocity carries the weight of coefficient n + 1 of the position.
-  const double* weight = weights_.data() + (derivative ? 1 : 0);
+  const int offset = derivative ? 1 : 0;
   const auto last = [&](int degree) { return derivative ? degree - 1 : degree; };
 
   const int top = last(*std::ranges::max_element(degree_));
   if (options_.shared_draw) {
+    const double* weight = weights(0) + offset;
     if (of_velocity)
       series_.velocity_sum(first, top, weight, s, sum);
     else
@@ -99,7 +163,7 @@ void RandomTaylor::weighted_sum(bool of_velocity, double s, int first, Coordinat
   for (int n = top; n >= first; --n) {
     const auto c = of_velocity ? series_.velocity(n) : series_.position(n);
     for (int i = 0; i < series_.particles(); ++i)
-      if (n <= last(degree_[i])) sum.row(i) = sum.row(i) * s + weight[n] * c.row(i);
+      if (n <= last(degree_[i])) sum.row(i) = sum.row(i) * s + weights(i)[n + offset] * c.row(i);
   }
 }
 
@@ -130,14 +194,17 @@ void RandomTaylor::grow_to(int order, const State<double>& state) {
 
 double RandomTaylor::step(State<double>& state, double limit, Report& report) {
   series_.start(state, time_unit_);
-  draw();
+  if (!sequential_) draw();
   if (control_->reads_series()) grow_to(order_needed(law_.max_degree()), state);
   const double h = cropped(control_->propose({series_, law_}), limit);
   if (!advances(state.time, h)) {
     if (all_finite(series_, report)) report = step_underflow(series_, h);
     return 0.0;
   }
-  if (!control_->reads_series()) grow_to(order_needed(*std::ranges::max_element(degree_)), state);
+  if (sequential_)
+    roulette(h, state);
+  else if (!control_->reads_series())
+    grow_to(order_needed(*std::ranges::max_element(degree_)), state);
 
   const double s = h / series_.time_unit();
   State<double>& next = next_;
@@ -174,19 +241,18 @@ Piece RandomTaylor::piece() const {
   Piece piece{series_.time(), series_.time() + last_step_, {}, {}, series_.time_unit()};
   const bool derivative = options_.velocity == VelocitySeries::derivative;
   const int top = *std::ranges::max_element(degree_);
+  // Term n of each particle with the weight of its draw, none beyond its degree.
+  const auto weighted = [&](int n, Coordinates<double> c) {
+    if (options_.shared_draw) return Coordinates<double>(weights(0)[n] * c);
+    for (int i = 0; i < series_.particles(); ++i) c.row(i) *= n > degree_[i] ? 0.0 : weights(i)[n];
+    return c;
+  };
   for (int n = 0; n <= top; ++n) {
-    Coordinates<double> x = law_.weight(n) * series_.position(n);
-    if (!options_.shared_draw)
-      for (int i = 0; i < series_.particles(); ++i)
-        if (n > degree_[i]) x.row(i).setZero();
-    if (derivative) {
-      if (n > 0) piece.velocity.push_back(n / series_.time_unit() * x);
-    } else {
-      piece.velocity.push_back(law_.weight(n) * series_.velocity(n));
-      if (!options_.shared_draw)
-        for (int i = 0; i < series_.particles(); ++i)
-          if (n > degree_[i]) piece.velocity.back().row(i).setZero();
-    }
+    Coordinates<double> x = weighted(n, series_.position(n));
+    if (!derivative)
+      piece.velocity.push_back(weighted(n, series_.velocity(n)));
+    else if (n > 0)
+      piece.velocity.push_back(n / series_.time_unit() * x);
     piece.position.push_back(std::move(x));
   }
   if (piece.velocity.empty()) piece.velocity.push_back(0.0 * series_.velocity(0));  // K = 0 and `derivative`

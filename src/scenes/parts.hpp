@@ -8,6 +8,8 @@
 
 #include "jetlag/scenes/mesh.hpp"
 #include "jetlag/scenes/scene.hpp"
+#include "jetlag/truncation/draws.hpp"
+#include "jetlag/truncation/sequential.hpp"
 #include "scenes/reader.hpp"
 
 namespace jetlag {
@@ -27,6 +29,12 @@ Particles read_particles(const Value& particles, int dimension, std::uint64_t se
 /// "forces": adds the elements of each to the system. Returns the pairs to draw.
 std::vector<std::array<int, 2>> read_forces(const Value& forces, const Particles& particles,
                                             System<double>& system);
+
+inline constexpr int largest_degree = 256;
+
+/// "law" of random_taylor with its keys, and "draws" for it. Refuses keys of other laws.
+Truncation read_truncation(const Value& integrator);
+Draw read_draws(const Value& integrator, const Truncation& law, bool shared_draw, int particles);
 
 /// "integrator", "control" and "schedule" together.
 struct Method {

@@ -17,7 +17,6 @@ namespace jetlag {
 
 namespace {
 
-constexpr int largest_degree = 256;
 const Range fraction{0, 1, false, true, "a number > 0 and <= 1"};
 
 double read_max_step(const Value& control) {
@@ -126,37 +125,55 @@ struct MethodArguments {
   int threads;
 };
 
-IntegratorFactory series_method(const MethodArguments& arguments, TruncationLaw law, bool shared_draw) {
-  const RandomTaylor::Options options{arguments.seed, shared_draw, read_velocity_series(arguments.integrator),
+/// The law before any term is known: of a sequential one its lower bound.
+TruncationLaw known_beforehand(const Truncation& law) {
+  const auto* sequential = std::get_if<SequentialLaw>(&law);
+  return sequential != nullptr ? sequential->lower_bound() : std::get<TruncationLaw>(law);
+}
+
+IntegratorFactory series_method(const MethodArguments& arguments, Truncation law, bool shared_draw,
+                                Draw draws) {
+  const RandomTaylor::Options options{arguments.seed,
+                                      shared_draw,
+                                      read_velocity_series(arguments.integrator),
                                       arguments.integrator.at("compensated", false).boolean(),
-                                      arguments.threads};
-  const double orders = law.mean() + (options.velocity == VelocitySeries::own_series ? 1 : 0) - 1;
-  std::shared_ptr<const Control> model = read_control(arguments.control, law, *arguments.system);
+                                      arguments.threads,
+                                      draws};
+  const TruncationLaw known = known_beforehand(law);
+  const double orders = known.mean() + (options.velocity == VelocitySeries::own_series ? 1 : 0) - 1;
+  std::shared_ptr<const Control> model = read_control(arguments.control, known, *arguments.system);
   return {[system = arguments.system, law, model, options] {
             return std::make_unique<RandomTaylor>(*system, law, model->clone(), options);
           },
-          orders, law.max_degree()};
+          orders, known.max_degree()};
 }
 
 IntegratorFactory read_taylor(const MethodArguments& arguments) {
   arguments.integrator.only({"type", "degree", "velocity", "compensated"});
-  return series_method(arguments, fixed_degree(read_degree(arguments.integrator, arguments.control)), true);
+  return series_method(arguments, fixed_degree(read_degree(arguments.integrator, arguments.control)), true,
+                       Draw::independent);
+}
+
+/// What a control reads of a law is its variance, known beforehand, as a coupled sum.
+void require_control_for(const Truncation& law, const Value& control) {
+  const bool reads_variance = control.at("type").text() == "variance" ||
+                              control.at("type").text() == "halve_double" || control.has("courant");
+  const auto* known = std::get_if<TruncationLaw>(&law);
+  if (reads_variance && (known == nullptr || known->weighting() != Weighting::coupled_sum))
+    control.refuse(
+        "fixed or jorba_zou without courant where integrator.law is sequential or single_term: the others "
+        "need the variance of the law");
 }
 
 IntegratorFactory read_random_taylor(const MethodArguments& arguments) {
   const Value& integrator = arguments.integrator;
-  integrator.only(
-      {"type", "min_degree", "max_degree", "probability", "draws", "shared_draw", "velocity", "compensated"});
+  const Truncation law = read_truncation(integrator);
   if (const auto tolerance = arguments.control.find("tolerance"))
     tolerance->refuse("left out for random_taylor, whose degrees are given");
-  const auto m = static_cast<int>(integrator.at("min_degree").integer(1, largest_degree)),
-             n = static_cast<int>(integrator.at("max_degree").integer(m, largest_degree));
-  const Value p = integrator.at("probability", 0.5);
-  const double probability =
-      p.number({0, 1, true, true, "a number from 0 to 1, below 1 unless max_degree = min_degree"});
-  integrator.at("draws", "independent").one_of({"independent"});
-  return series_method(arguments, checked(p, [&] { return geometric(m, n, probability); }),
-                       integrator.at("shared_draw", true).boolean());
+  require_control_for(law, arguments.control);
+  const bool shared_draw = integrator.at("shared_draw", true).boolean();
+  const Draw draws = read_draws(integrator, law, shared_draw, arguments.system->particles());
+  return series_method(arguments, law, shared_draw, draws);
 }
 
 IntegratorFactory read_leapfrog(const MethodArguments& arguments) {

@@ -106,7 +106,7 @@ void Value::refuse(const std::string& allowed) const {
   throw SceneError(path_ + ": got " + shortened(json_->dump()) + "; must be " + allowed);
 }
 
-const Value& Value::only(std::initializer_list<std::string_view> keys) const {
+const Value& Value::only(const std::vector<std::string_view>& keys) const {
   if (!json_->is_object()) refuse("an object with the keys " + listed(keys));
   for (const auto& [key, value] : json_->items())
     if (std::find(keys.begin(), keys.end(), key) == keys.end())

@@ -50,7 +50,10 @@ class Value {
   bool is_number() const { return json_->is_number(); }
 
   /// An object with no other keys than these. To be called before its values are taken.
-  const Value& only(std::initializer_list<std::string_view> keys) const;
+  const Value& only(std::initializer_list<std::string_view> keys) const {
+    return only(std::vector<std::string_view>(keys));
+  }
+  const Value& only(const std::vector<std::string_view>& keys) const;
   bool has(const std::string& key) const;
   Value at(const std::string& key) const;  // refuses when missing
   std::optional<Value> find(const std::string& key) const;

@@ -1,40 +1,54 @@
 // SPDX-License-Identifier: MIT
 #include "jetlag/truncation/draws.hpp"
 
-#include <Random123/philox.h>
-
 #include <cmath>
 #include <numbers>
-#include <utility>
+#include <stdexcept>
+
+#include "truncation/philox.hpp"
 
 namespace jetlag {
 
-namespace {
-
-/// Two independent uniform numbers on (0, 1] for a key and a stream.
-std::pair<double, double> two_uniforms(std::uint64_t seed, std::uint32_t particle, std::uint64_t update,
-                                       std::uint32_t stream) {
-  using Philox = r123::Philox4x32;
-  const auto low = [](std::uint64_t x) { return static_cast<std::uint32_t>(x); };
-  const auto high = [](std::uint64_t x) { return static_cast<std::uint32_t>(x >> 32); };
-  const Philox::ctr_type counter{{low(update), high(update), particle, stream}};
-  const Philox::key_type key{{low(seed), high(seed)}};
-  const auto bits = Philox()(counter, key);
-  const auto to_unit = [](std::uint64_t a, std::uint64_t b) {
-    return static_cast<double>((((a << 32) | b) >> 11) + 1) * 0x1p-53;
-  };
-  return {to_unit(bits[0], bits[1]), to_unit(bits[2], bits[3])};
-}
-
-}  // namespace
-
 double uniform(std::uint64_t seed, std::uint32_t particle, std::uint64_t update) {
-  return two_uniforms(seed, particle, update, 0).first;
+  return to_unit(random_bits(seed, particle, update, Stream::uniform)[0]);
 }
 
 double standard_normal(std::uint64_t seed, std::uint32_t particle, std::uint64_t update) {
-  const auto [u, v] = two_uniforms(seed, particle, update, 1);
-  return std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * std::numbers::pi * v);
+  const auto bits = random_bits(seed, particle, update, Stream::normal);
+  return std::sqrt(-2.0 * std::log(to_unit(bits[0]))) * std::cos(2.0 * std::numbers::pi * to_unit(bits[1]));
+}
+
+double rotation(std::uint64_t seed, std::uint32_t particle, std::uint64_t update) {
+  constexpr std::uint64_t phi = 0x9e3779b97f4a7c15;  // 2^64 (sqrt 5 - 1) / 2
+  return to_unit(random_bits(seed, particle, 0, Stream::offset)[0] + update * phi);
+}
+
+double antithetic(std::uint64_t seed, std::uint32_t particle, std::uint64_t update) {
+  const std::uint64_t bits = random_bits(seed, particle, update / 2, Stream::uniform)[0];
+  return to_unit(update % 2 == 0 ? bits : ~bits);
+}
+
+Draws::Draws(Draw kind, const TruncationLaw* law, std::uint64_t seed, std::uint32_t particles)
+    : kind_(kind), seed_(seed), particles_(particles) {
+  if (kind == Draw::stratified && particles < 2)
+    throw std::invalid_argument(
+        "stratified: strata are over particles, and one draw is all there is; let each particle draw, or "
+        "take "
+        "other draws");
+  if (kind != Draw::ruler && kind != Draw::scrambled_ruler) return;
+  if (law == nullptr)
+    throw std::invalid_argument(
+        "ruler: the probabilities of a sequential law are not known beforehand; take other draws");
+  ruler_.emplace(*law, kind == Draw::scrambled_ruler);
+}
+
+double Draws::number(std::uint32_t particle, std::uint64_t update) const {
+  switch (kind_) {
+    case Draw::rotation: return rotation(seed_, particle, update);
+    case Draw::stratified: return stratified(seed_, particle, update, particles_);
+    case Draw::antithetic: return antithetic(seed_, particle, update);
+    default: return uniform(seed_, particle, update);
+  }
 }
 
 }  // namespace jetlag

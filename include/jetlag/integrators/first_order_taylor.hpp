@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -26,6 +27,8 @@
 #include "jetlag/integrators/integrator.hpp"
 #include "jetlag/motion/first_order.hpp"
 #include "jetlag/motion/outcome.hpp"
+#include "jetlag/truncation/draws.hpp"
+#include "jetlag/truncation/sequential.hpp"
 
 namespace jetlag {
 
@@ -51,6 +54,15 @@ struct FirstOrderOptions {
   /// What rounding cuts from y in one step is added in the next (Kahan): the rounding errors that are left are those of
   /// the increments, |h y'| in place of |y|.
   bool compensated = true;
+
+  /// Steps of this length, > 0, in place of those of Jorba and Zou.
+  std::optional<double> step{};
+
+  /// Stops the series at a random degree with weights that keep it unbiased; `degree` is then the largest of the law. With
+  /// `step` no order beyond the one drawn is computed. A sequential law sees the largest components of the terms.
+  std::optional<Truncation> law{};
+  Draw draws = Draw::independent;
+  std::uint64_t seed = 1;
 };
 
 template <class T>
@@ -73,7 +85,8 @@ struct FirstOrderRunOptions {
 };
 
 /// y(t + h) = sum_{k=0..N} y_k h^k,   h by the rule of Jorba and Zou from the largest components of the y_k.
-/// Source: [JZ05] 3.
+/// Source: [JZ05] 3.   With a law:  sum_{k=0..K} w_k y_k h^k,   of mean-square order min(N, m + 1/2), weak order
+/// min(N, 2m + 1).
 template <class T = double>
 class FirstOrderTaylor {
  public:
@@ -82,7 +95,10 @@ class FirstOrderTaylor {
   FirstOrderTaylor(const F& f, int size, FirstOrderOptions<T> options = {})
       : options_(checked(std::move(options), size)),
         series_(f, size, options_.parameters, options_.degree),
-        norms_(options_.degree + 1) {}
+        draws_(options_.draws, known_law(), options_.seed, 1),
+        norms_(options_.degree + 1),
+        weights_(options_.degree + 1, T(1)),
+        top_(options_.degree) {}
 
   /// Other values of p from the next step on. Throws std::invalid_argument for another number of them.
   void set_parameters(std::vector<T> parameters) {
@@ -99,7 +115,7 @@ class FirstOrderTaylor {
       throw std::invalid_argument("FirstOrderState: rest must be empty or as long as y");
     begin_ = state.time;
     begin_rest_ = state.rest;
-    expand(state);
+    expand(state, options_.step ? 1 : options_.degree);
     if (!series_is_finite(state.time, report)) return T(0);
     const T h = proposal(limit);
     if (h == T(0) || state.time + h == state.time) {
@@ -110,6 +126,8 @@ class FirstOrderTaylor {
                 -1};
       return T(0);
     }
+    if (options_.law || options_.step) stop_series(h, state);
+    if (!series_is_finite(state.time, report)) return T(0);
     next_.resize(state.y.size());
     next_rest_.resize(state.y.size());
     for (std::size_t i = 0; i < next_.size(); ++i) {
@@ -128,11 +146,12 @@ class FirstOrderTaylor {
       state.rest.swap(next_rest_);
     else
       state.rest.clear();
+    ++update_;
     ++work_.steps;
     work_.updates += series_.size();
-    work_.coefficients += static_cast<std::uint64_t>(options_.degree) * series_.size();
-    work_.element_coefficients += options_.degree;
-    work_.degrees += static_cast<std::uint64_t>(options_.degree) * series_.size();
+    work_.coefficients += static_cast<std::uint64_t>(series_.order()) * series_.size();
+    work_.element_coefficients += series_.order();
+    work_.degrees += static_cast<std::uint64_t>(top_) * series_.size();
     return h;
   }
 
@@ -177,10 +196,13 @@ class FirstOrderTaylor {
   static FirstOrderOptions<T> checked(FirstOrderOptions<T> options, int size) {
     if (size < 1)
       throw std::invalid_argument("FirstOrderTaylor: size must be >= 1, got " + std::to_string(size));
-    if (options.degree < 2)
+    if (options.law)
+      options.degree = std::visit([](const auto& law) { return law.max_degree(); }, *options.law);
+    if (options.degree < 2 && !options.law)
       throw std::invalid_argument("FirstOrderTaylor: degree must be >= 2, got " +
                                   std::to_string(options.degree));
     require_positive("max_step", options.max_step, true);
+    if (options.step) require_positive("step", *options.step);
     return options;
   }
 
@@ -203,22 +225,64 @@ class FirstOrderTaylor {
     return s;
   }
 
+  const TruncationLaw* known_law() const {
+    return options_.law ? std::get_if<TruncationLaw>(&*options_.law) : nullptr;
+  }
+
+  /// The degree at which the series of this step stops, the weights of its terms, and the orders that takes.
+  void stop_series(const T& h, const FirstOrderState<T>& state) {
+    if (const auto* law = known_law()) {
+      top_ = draws_.degree(*law, shared_by_all, update_);
+      for (int n = 0; n <= top_; ++n) weights_[n] = T(law->weight(n, top_));
+    } else if (options_.law) {
+      return roulette(std::get<SequentialLaw>(*options_.law), h, state);
+    }
+    grow(std::max(top_, series_.order()), state);
+  }
+
+  /// Goes on to order n while u <= P(K >= n) = p_{m+1} .. p_n.
+  void roulette(const SequentialLaw& law, const T& h, const FirstOrderState<T>& state) {
+    using std::abs;
+    const double u = draws_.number(shared_by_all, update_);
+    std::vector<double> sizes;
+    double tail = 1;
+    top_ = law.min_degree();
+    std::fill_n(weights_.begin(), top_ + 1, T(1));
+    for (int n = 1; n <= law.max_degree(); ++n) {
+      grow(std::max(n - 1, series_.order()), state);
+      sizes.push_back(norms_[n - 1] * std::pow(static_cast<double>(abs(h)) / unit_, n - 1));
+      if (n <= law.min_degree()) continue;
+      tail *= law.go_on(n, sizes, 1.0 / tail);
+      if (u > tail) break;
+      top_ = n;
+      weights_[n] = T(1.0 / tail);
+    }
+    grow(std::max(top_, series_.order()), state);
+  }
+
   /// The series from a state, in a unit of time in which its coefficients are representable: 1 until one is not.
-  void expand(const FirstOrderState<T>& state) {
+  void expand(const FirstOrderState<T>& state, int order) {
+    series_.start(state.time, state.y, T(unit_));
+    grow(order, state);
+  }
+
+  void grow(int order, const FirstOrderState<T>& state) {
     for (int attempt = 0; attempt < 4; ++attempt) {
-      series_.start(state.time, state.y, T(unit_));
-      series_.grow_to(options_.degree);
+      series_.grow_to(order);
       measure();
       const double unit = better_unit();
       if (unit == unit_) return;
       unit_ = unit;
+      series_.start(state.time, state.y, T(unit_));
     }
+    series_.grow_to(order);
+    measure();
   }
 
   /// norms_[k] = max_i |coefficient k of y_i|; infinite where one is not finite.
   void measure() {
     using std::abs;
-    for (int k = 0; k <= options_.degree; ++k) {
+    for (int k = 0; k <= series_.order(); ++k) {
       norms_[k] = 0;
       for (int i = 0; i < series_.size(); ++i) {
         const T& c = series_[i][k];
@@ -233,7 +297,7 @@ class FirstOrderTaylor {
   /// not: coefficients grow as (c_m / c_0)^(k/m), m the last one that is normal. A series that ends looks like one that
   /// has underflowed, but has not shrunk that fast before.
   double better_unit() const {
-    const int p = options_.degree;
+    const int p = series_.order();
     if (std::isnormal(std::max(norms_[p], norms_[p - 1]))) return unit_;
     int last = 0, end = 0;
     while (end <= p && std::isfinite(norms_[end])) {
@@ -248,7 +312,7 @@ class FirstOrderTaylor {
   }
 
   bool series_is_finite(const T& time, Report& report) const {
-    for (int k = 0; k <= options_.degree; ++k)
+    for (int k = 0; k <= series_.order(); ++k)
       for (int i = 0; std::isinf(norms_[k]) && i < series_.size(); ++i)
         if (!finite(series_[i][k])) {
           report = {Outcome::non_finite,
@@ -261,10 +325,12 @@ class FirstOrderTaylor {
     return true;
   }
 
-  /// The step of Jorba and Zou, signed; the limit where that is nearer or nearly reached.
+  /// The step asked for or that of Jorba and Zou, signed; the limit where that is nearer or nearly reached.
   T proposal(const T& limit) const {
     using std::abs;
-    const T h(std::min(jorba_zou_step(norms_, options_.max_step / unit_) * unit_, options_.max_step));
+    const T h(options_.step
+                  ? *options_.step
+                  : std::min(jorba_zou_step(norms_, options_.max_step / unit_) * unit_, options_.max_step));
     if (h >= abs(limit) * T(1.0 - 1e-9)) return limit;
     return limit < T(0) ? T(-h) : h;
   }
@@ -273,14 +339,19 @@ class FirstOrderTaylor {
   T increment(std::size_t i, const T& h) const {
     const std::vector<T>& c = series_[static_cast<int>(i)];
     const T s = h / series_.time_unit();
-    T horner = c[options_.degree];
-    for (int k = options_.degree - 1; k >= 1; --k) horner = horner * s + c[k];
+    if (top_ == 0) return T(0);
+    T horner = weights_[top_] * c[top_];
+    for (int k = top_ - 1; k >= 1; --k) horner = horner * s + weights_[k] * c[k];
     return horner * s;
   }
 
   FirstOrderOptions<T> options_;
   FirstOrderExpansion<T> series_;
+  Draws draws_;
   std::vector<double> norms_;
+  std::vector<T> weights_;  // of the terms of this step, up to
+  int top_;                 // its degree
+  std::uint64_t update_ = 0;
   std::vector<T> next_, next_rest_, begin_rest_;
   T begin_{};
   double unit_ = 1;

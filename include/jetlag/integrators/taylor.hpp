@@ -4,10 +4,12 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "jetlag/integrators/integrator.hpp"
 #include "jetlag/truncation/draws.hpp"
+#include "jetlag/truncation/sequential.hpp"
 #include "jetlag/truncation/truncation.hpp"
 
 namespace jetlag {
@@ -22,6 +24,10 @@ enum class VelocitySeries {
 ///     y(t + h) = sum_{n=0..K} w_n y_n h^n,   w_n = 1 / P(K >= n).
 /// Mean-square order min(N, m + 1/2), weak order min(N, 2m + 1), for y = (x, v) with `own_series`.
 /// With a fixed degree all weights are 1: Taylor's method of order N.
+///
+/// A sequential law sees the sizes of the terms of the positions, the largest component [m] of all particles or, with a
+/// draw for each, of its particle; it is asked after each order, and no order is computed that is not needed. Where the control
+/// reads the series, all are. What a control learns of a sequential law is its lower bound.
 class RandomTaylor final : public Integrator {
  public:
   struct Options {
@@ -39,13 +45,16 @@ class RandomTaylor final : public Integrator {
 
     /// Threads that expand a large scene, >= 1; the result does not depend on their number.
     int threads = 1;
+
+    /// How the draws of different steps (and particles, for `stratified`) go together.
+    Draw draws = Draw::independent;
   };
 
-  RandomTaylor(const System<double>& system, TruncationLaw law, std::unique_ptr<Control> control)
+  RandomTaylor(const System<double>& system, Truncation law, std::unique_ptr<Control> control)
       : RandomTaylor(system, std::move(law), std::move(control), Options{}) {}
   /// Throws std::invalid_argument for compensated sums of a velocity whose first coefficient is random: a law with
-  /// min_degree 0 and `derivative`.
-  RandomTaylor(const System<double>& system, TruncationLaw law, std::unique_ptr<Control> control,
+  /// min_degree 0 and `derivative`; for draws that do not go with the law, see Draws.
+  RandomTaylor(const System<double>& system, Truncation law, std::unique_ptr<Control> control,
                Options options);
 
   double step(State<double>& state, double limit, Report& report) override;
@@ -54,6 +63,7 @@ class RandomTaylor final : public Integrator {
 
  private:
   void draw();
+  void roulette(double h, const State<double>& state);
   void grow_to(int order, const State<double>& state);
   void weighted_sum(bool of_velocity, double s, int first, Coordinates<double>& sum) const;
   void add_increments(State<double>& state, double s) const;
@@ -61,11 +71,22 @@ class RandomTaylor final : public Integrator {
     return options_.velocity == VelocitySeries::own_series ? degree + 1 : degree;
   }
 
-  TruncationLaw law_;
+  double* weights(std::size_t draw) { return weights_.data() + (weights_differ_ ? draw * stride_ : 0); }
+  const double* weights(std::size_t draw) const { return const_cast<RandomTaylor*>(this)->weights(draw); }
+  std::uint32_t key(std::size_t draw) const {
+    return options_.shared_draw ? shared_by_all : static_cast<std::uint32_t>(draw);
+  }
+  bool draws_for(std::size_t draw) const { return options_.shared_draw || !fixed_[draw]; }
+
+  TruncationLaw law_;  // of a sequential one, its lower bound
+  std::optional<SequentialLaw> sequential_;
   Expansion<double> series_;
   std::unique_ptr<Control> control_;
   Options options_;
-  std::vector<double> weights_;  // of the terms of the law
+  Draws draws_;
+  std::size_t stride_;           // of the weights: terms of the law, and a 0
+  bool weights_differ_;          // from draw to draw; else there is one row for all
+  std::vector<double> weights_;  // of the terms, up to the degree of the draw
   State<double> next_;           // room for the state at the end of a step
   std::vector<bool> fixed_;
   int moving_;

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// integrator.law and integrator.draws: where the series of random_taylor stop.
+#include <algorithm>
+#include <numeric>
+
+#include "jetlag/scenes/error.hpp"
+#include "jetlag/truncation/poisson.hpp"
+#include "jetlag/truncation/single_term.hpp"
+#include "jetlag/truncation/variance_capped.hpp"
+#include "scenes/parts.hpp"
+
+namespace jetlag {
+
+namespace {
+
+std::pair<int, int> read_degrees(const Value& integrator) {
+  const auto m = static_cast<int>(integrator.at("min_degree").integer(1, largest_degree));
+  return {m, static_cast<int>(integrator.at("max_degree").integer(m, largest_degree))};
+}
+
+/// 1 - p of a geometric law: of "base", one in base goes on; or of "probability", that of stopping.
+TruncationLaw read_geometric_law(const Value& integrator) {
+  const auto [m, n] = read_degrees(integrator);
+  if (const auto base = integrator.find("base")) {
+    if (integrator.has("probability")) base->refuse("left out where integrator.probability is given");
+    return checked(*base, [&, m = m, n = n] {
+      return geometric(m, n, 1.0 - 1.0 / static_cast<double>(base->integer(2, 1'000'000)));
+    });
+  }
+  const Value p = integrator.at("probability", 0.5);
+  const double probability =
+      p.number({0, 1, true, true, "a number from 0 to 1, below 1 unless max_degree = min_degree"});
+  return checked(p, [&, m = m, n = n] { return geometric(m, n, probability); });
+}
+
+Truncation read_geometric(const Value& integrator) { return read_geometric_law(integrator); }
+
+Truncation read_single_term(const Value& integrator) {
+  return checked(integrator, [&] { return single_term(read_geometric_law(integrator)); });
+}
+
+Truncation read_poisson(const Value& integrator) {
+  const auto [m, n] = read_degrees(integrator);
+  const Value mean = integrator.at("mean");
+  return checked(mean, [&, m = m, n = n] { return poisson(m, n, mean.number(positive)); });
+}
+
+std::vector<double> read_numbers(const Value& values, const Range& range, std::size_t least) {
+  if (!values.is_array() || values.size() < least || values.size() > largest_degree + 1)
+    values.refuse("an array of " + std::to_string(least) + " to " + std::to_string(largest_degree + 1) +
+                  " numbers");
+  return values.vector(values.size(), range);
+}
+
+Truncation read_tail(const Value& integrator) {
+  const Value tail = integrator.at("tail");
+  const auto values = read_numbers(tail, {0, 1, false, true, "a probability > 0 and <= 1"}, 2);
+  return checked(tail, [&] {
+    TruncationLaw law("tail", values);
+    if (law.min_degree() < 1) throw std::invalid_argument("P(K >= 1) must be 1");
+    return law;
+  });
+}
+
+Truncation read_variance_capped(const Value& integrator) {
+  const Value terms = integrator.at("terms"), cap = integrator.at("max_variance");
+  const auto values = read_numbers(terms, any_number, 2);
+  const double most = cap.number(positive);
+  return checked(terms, [&] {
+    const TruncationLaw law = variance_capped(values, most);
+    if (law.min_degree() < 1) throw std::invalid_argument("at this max_variance P(K >= 1) would be below 1");
+    return law;
+  });
+}
+
+Truncation read_sequential(const Value& integrator) {
+  const auto [m, n] = read_degrees(integrator);
+  const Value target = integrator.at("target"), least = integrator.at("least", 0.05);
+  const double size = target.number(positive),
+               probability = least.number({0, 1, false, true, "a probability > 0 and <= 1"});
+  return checked(least, [&, m = m, n = n] { return sequential(m, n, size, probability); });
+}
+
+struct LawReader {
+  const char* name;
+  Truncation (*read)(const Value& integrator);
+  std::vector<std::string_view> keys;
+};
+
+const std::vector<LawReader>& laws() {
+  static const std::vector<LawReader> readers = {
+      {"geometric", read_geometric, {"min_degree", "max_degree", "probability", "base"}},
+      {"poisson", read_poisson, {"min_degree", "max_degree", "mean"}},
+      {"tail", read_tail, {"tail"}},
+      {"variance_capped", read_variance_capped, {"terms", "max_variance"}},
+      {"sequential", read_sequential, {"min_degree", "max_degree", "target", "least"}},
+      {"single_term", read_single_term, {"min_degree", "max_degree", "probability", "base"}}};
+  return readers;
+}
+
+}  // namespace
+
+Truncation read_truncation(const Value& integrator) {
+  std::vector<std::string> names;
+  for (const LawReader& law : laws()) names.push_back(law.name);
+  // Unknown keys of any law first: the law is put in where it is missing.
+  std::string chosen = "geometric";
+  if (const auto law = integrator.find("law")) chosen = law->one_of(names);
+  const LawReader& reader = *std::ranges::find(laws(), chosen, [](const LawReader& law) { return law.name; });
+  std::vector<std::string_view> keys = {"type"};
+  keys.insert(keys.end(), reader.keys.begin(), reader.keys.end());
+  keys.insert(keys.end(), {"law", "draws", "shared_draw", "velocity", "compensated"});
+  integrator.only(keys);
+  integrator.at("law", "geometric");
+  return reader.read(integrator);
+}
+
+Draw read_draws(const Value& integrator, const Truncation& law, bool shared_draw, int particles) {
+  const Value draws = integrator.at("draws", "independent");
+  const auto found = std::ranges::find(names_of_draws, draws.one_of(names_of_draws));
+  const auto kind = static_cast<Draw>(found - names_of_draws.begin());
+  const auto* known = std::get_if<TruncationLaw>(&law);
+  if (known == nullptr || !known->is_fixed())
+    checked(draws,
+            [&] { return Draws(kind, known, 1, shared_draw ? 1 : static_cast<std::uint32_t>(particles)); });
+  return kind;
+}
+
+}  // namespace jetlag

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <stdexcept>
+
+#include "jetlag/truncation/draws.hpp"
+#include "truncation/philox.hpp"
+
+namespace jetlag {
+
+Ruler::Ruler(const TruncationLaw& law, bool scrambled) : min_(law.min_degree()), scrambled_(scrambled) {
+  for (int n = min_ + 1; n <= law.max_degree(); ++n) {
+    const double base = law.at_least(n - 1) / law.at_least(n), whole = std::round(base);
+    if (std::abs(base - whole) > 1e-12 * base || !(whole < 0x1p53))  // a few roundings of the tail
+      throw std::invalid_argument(
+          "ruler: the probability to go on to term " + std::to_string(n) + " is " +
+          std::to_string(law.at_least(n) / law.at_least(n - 1)) + ", one in " + std::to_string(base) +
+          "; must be one in 2, 3, 4 .. (a probability p to stop of 1/2, 2/3, 3/4 ..)");
+    bases_.push_back(static_cast<std::uint64_t>(whole));
+  }
+}
+
+/// offset + update is added digit by digit, as far as digits of 0 go, so that no number is too large. The digits of the
+/// offset are random. Of a block of b, the one that goes on is that with digit 0, or with a digit of its own where `scrambled`.
+int Ruler::degree(std::uint64_t seed, std::uint32_t particle, std::uint64_t update) const {
+  int k = min_;
+  std::uint64_t rest = update;  // with the carry: what is to be added to the digits from here on
+  for (std::uint32_t i = 0; i < bases_.size(); ++i, ++k) {
+    const std::uint64_t b = bases_[i],
+                        sum = below(b, random_bits(seed, particle, 0, Stream::digit, i)[0]) + rest % b;
+    rest = rest / b + sum / b;
+    const std::uint64_t place =
+        scrambled_ ? below(b, random_bits(seed, particle, rest, Stream::place, i)[0]) : 0;
+    if (sum % b != place) break;
+  }
+  return k;
+}
+
+}  // namespace jetlag
