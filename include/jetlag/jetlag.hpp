@@ -34,4 +34,6 @@
 #include "jetlag/tape/program.hpp"
 #include "jetlag/tape/recording.hpp"
 #include "jetlag/truncation/draws.hpp"
+#include "jetlag/truncation/stability.hpp"
 #include "jetlag/truncation/truncation.hpp"
+#include "jetlag/truncation/velocity_series.hpp"
