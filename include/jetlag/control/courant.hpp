@@ -26,7 +26,9 @@ class Courant final : public Control {
  public:
   /// limit: see courant_limit (2 for leapfrog). safety: in (0, 1]. Throws std::invalid_argument, also for a limit of 0.
   Courant(std::unique_ptr<Control> inner, double safety, double limit, double omega);
-  bool reads_series() const override { return inner_->reads_series(); }
+  int orders_read(const TruncationLaw& law, VelocitySeries velocity) const override {
+    return inner_->orders_read(law, velocity);
+  }
   double propose(const Prospect& prospect) override {
     return std::min(inner_->propose(prospect), largest_step_);
   }
