@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The program: jetlag run | scenes | show | check | study.
+// The program: jetlag run | scenes | show | check | study | stability.
 //
 // Exit codes: 0 success; 1 a file cannot be written; 2 bad input, nothing is written; 3 the run did not reach its end.
 

@@ -38,5 +38,7 @@
 #include "jetlag/truncation/poisson.hpp"
 #include "jetlag/truncation/sequential.hpp"
 #include "jetlag/truncation/single_term.hpp"
+#include "jetlag/truncation/stability.hpp"
 #include "jetlag/truncation/truncation.hpp"
 #include "jetlag/truncation/variance_capped.hpp"
+#include "jetlag/truncation/velocity_series.hpp"

@@ -5,23 +5,65 @@
 
 namespace jetlag {
 
+namespace {
+
+/// How the sizes of the coefficients go on beyond order r, in the unit of time of the series.
+struct Continuation {
+  double size, ratio;  // |c_{r+i}| ~ size ratio^i
+
+  Continuation(const Expansion<double>& series, int r) {
+    const auto c = [&](int k) { return k >= 0 ? series.position_norm(k) : 0.0; };
+    const auto rate = [&](int k) {  // per order, up to k
+      if (c(k) == 0.0) return 0.0;
+      for (int back = 2; back <= k; ++back)
+        if (c(k - back) > 0.0) return std::pow(c(k) / c(k - back), 1.0 / back);
+      return 0.0;
+    };
+    ratio = std::max(rate(r), rate(r - 1));
+    size = std::max(c(r), ratio * c(r - 1));
+  }
+  /// |c_k| s^k for k = r + i.
+  double term(int r, int k, double s) const { return size * std::pow(ratio, k - r) * std::pow(s, k); }
+};
+
+}  // namespace
+
+int orders_for_errors(const TruncationLaw& law) {
+  const int m = law.min_degree(), n = law.max_degree();
+  return m == n ? n : std::min(n, std::max(m + 1, 4));
+}
+
 double largest_position_variance(const Prospect& prospect, double h) {
   const TruncationLaw& law = prospect.law;
+  if (law.is_fixed()) return 0.0;
   const Expansion<double>& series = prospect.series;
+  const int r = orders_for_errors(law);
+  const double s = h / series.time_unit();
+  double unread = 0.0, variance_of_unread = 0.0;
+  if (r < law.max_degree()) {
+    const Continuation beyond(series, r);
+    for (int n = law.max_degree(); n > r; --n) {
+      unread += beyond.term(r, n, s);
+      variance_of_unread += (law.weight(n) - law.weight(n - 1)) * unread * unread;
+    }
+  }
   Coordinates<double> tail = Coordinates<double>::Zero(series.particles(), series.dimension());
   Coordinates<double> sum = tail;
-  for (int n = law.max_degree(); n > law.min_degree(); --n) {
-    tail += std::pow(h / series.time_unit(), n) * series.position(n);
-    sum += (law.weight(n) - law.weight(n - 1)) * tail.cwiseAbs2();
+  for (int n = r; n > law.min_degree(); --n) {
+    tail += std::pow(s, n) * series.position(n);
+    sum.array() += (law.weight(n) - law.weight(n - 1)) * (tail.array().abs() + unread).square();
   }
-  return sum.size() == 0 ? 0.0 : sum.maxCoeff();
+  return sum.size() == 0 ? 0.0 : sum.maxCoeff() + variance_of_unread;
 }
 
 double largest_position_bias(const Prospect& prospect, double h) {
-  const int n = prospect.law.max_degree();
-  const double s = h / prospect.series.time_unit();
-  return std::max(largest(prospect.series.position(n)) * std::pow(s, n),
-                  largest(prospect.series.position(n - 1)) * std::pow(s, n - 1));
+  const Expansion<double>& series = prospect.series;
+  const int n = prospect.law.max_degree(), r = orders_for_errors(prospect.law);
+  const double s = h / series.time_unit();
+  const auto term = [&](int k) {
+    return k <= r ? series.position_norm(k) * std::pow(s, k) : Continuation(series, r).term(r, k, s);
+  };
+  return std::max(term(n), term(n - 1));
 }
 
 void require_positive(const char* what, double x, bool may_be_infinite) {

@@ -2,48 +2,10 @@
 #include "jetlag/control/courant.hpp"
 
 #include <cmath>
-#include <complex>
+
+#include "jetlag/forces/drag.hpp"
 
 namespace jetlag {
-
-namespace {
-
-/// E|R_K(iy)|^2 - 1, without the 1: with R = e^{iy} - T_N = sum_{j>N} (iy)^j / j!,
-///     |T_N|^2 - 1 = |R|^2 - 2 Re(e^{-iy} R).
-double mean_square_growth(const TruncationLaw& law, double y) {
-  using Complex = std::complex<long double>;
-  const int n = law.max_degree();
-  std::vector<Complex> term(n + 1, Complex(1));
-  for (int j = 1; j <= n; ++j) term[j] = term[j - 1] * Complex(0, y) / static_cast<long double>(j);
-  Complex tail = 0;
-  long double random = 0;
-  for (int j = n; j > law.min_degree(); --j) {
-    tail += term[j];
-    random += static_cast<long double>(law.weight(j) - law.weight(j - 1)) * std::norm(tail);
-  }
-  Complex rest = 0, next = term[n];
-  for (int j = n + 1; std::abs(next) > 1e-20L * std::abs(rest); ++j)
-    rest += next *= Complex(0, y) / static_cast<long double>(j);
-  const long double fixed =
-      std::norm(rest) - 2 * (std::polar(1.0L, -static_cast<long double>(y)) * rest).real();
-  return static_cast<double>(fixed + random);
-}
-
-}  // namespace
-
-double imaginary_stability_limit(const TruncationLaw& law) {
-  const double stride = 1e-3;
-  const auto unstable = [&](double y) { return mean_square_growth(law, y) > 0; };
-  if (unstable(stride)) return 0.0;
-  double stable = stride;
-  while (!unstable(stable + stride)) stable += stride;  // ends: |T_N(iy)| grows as y^N
-  double limit = stable + stride;
-  while (limit - stable > 1e-13 * limit) {
-    const double middle = 0.5 * (stable + limit);
-    (unstable(middle) ? limit : stable) = middle;
-  }
-  return stable;
-}
 
 double frequency_bound(const System<double>& system) {
   std::vector<double> load(system.particles(), 0.0);  // sum of stiffness / mass at a particle
@@ -69,6 +31,27 @@ double frequency_bound(const System<double>& system) {
   return std::sqrt(bound);
 }
 
+double common_damping(const System<double>& system) {
+  std::vector<double> rate(system.particles(), 0.0);
+  for (const auto& elements : system.elements())
+    if (elements.law.name == Drag::name)
+      for (std::size_t e = 0; e < elements.count(); ++e) {
+        const int i = elements.particles[e];
+        rate[i] += elements.parameters[e * elements.law.parameters.size()] / system.mass()[i];
+      }
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (int i = 0; i < system.particles(); ++i)
+    if (!system.fixed()[i]) {
+      least = std::min(least, rate[i]);
+      most = std::max(most, rate[i]);
+    }
+  return least > 0 && most <= least * (1 + 1e-12) ? least : 0.0;
+}
+
+double courant_limit(const TruncationLaw& law, VelocitySeries velocity, double omega, double damping) {
+  return omega * band_stability_limit(law, velocity, {omega, damping});
+}
+
 Courant::Courant(std::unique_ptr<Control> inner, double safety, double limit, double omega)
     : inner_(std::move(inner)),
       largest_step_(omega > 0 ? safety * limit / omega : std::numeric_limits<double>::infinity()) {
@@ -76,9 +59,11 @@ Courant::Courant(std::unique_ptr<Control> inner, double safety, double limit, do
     throw std::invalid_argument("courant must be in (0, 1], got " + std::to_string(safety));
   if (!(limit > 0.0))
     throw std::invalid_argument(
-        "courant: this truncation is unstable for undamped oscillations at every step; take degree 3, 4, 7, "
-        "8, 11, "
-        "12, ... or, for a random degree, a min_degree of at least half of such a max_degree");
+        "courant: this truncation is unstable for undamped oscillations at every step; add drag, or take "
+        "degree 3, 4, "
+        "7, 8, 11, 12, ... or, for a random degree, a min_degree of at least half of such a max_degree, and "
+        "velocities of "
+        "their own series");
 }
 
 }  // namespace jetlag

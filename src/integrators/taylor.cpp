@@ -195,7 +195,7 @@ void RandomTaylor::grow_to(int order, const State<double>& state) {
 double RandomTaylor::step(State<double>& state, double limit, Report& report) {
   series_.start(state, time_unit_);
   if (!sequential_) draw();
-  if (control_->reads_series()) grow_to(order_needed(law_.max_degree()), state);
+  if (const int orders = control_->orders_read(law_, options_.velocity); orders > 0) grow_to(orders, state);
   const double h = cropped(control_->propose({series_, law_}), limit);
   if (!advances(state.time, h)) {
     if (all_finite(series_, report)) report = step_underflow(series_, h);
@@ -203,8 +203,8 @@ double RandomTaylor::step(State<double>& state, double limit, Report& report) {
   }
   if (sequential_)
     roulette(h, state);
-  else if (!control_->reads_series())
-    grow_to(order_needed(*std::ranges::max_element(degree_)), state);
+  else if (const int orders = order_needed(*std::ranges::max_element(degree_)); orders > series_.order())
+    grow_to(orders, state);
 
   const double s = h / series_.time_unit();
   State<double>& next = next_;

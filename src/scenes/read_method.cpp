@@ -79,14 +79,15 @@ std::optional<std::pair<double, double>> read_courant(const Value& control, cons
   return std::pair(safety, omega);
 }
 
-std::unique_ptr<Control> read_control(const Value& control, const TruncationLaw& law,
+std::unique_ptr<Control> read_control(const Value& control, const TruncationLaw& law, VelocitySeries velocity,
                                       const System<double>& system) {
   auto inner = chosen(control, controls).read(control, law);
   const auto courant = read_courant(control, system);
   if (!courant) return inner;
   return checked(control.at("courant"), [&] {
-    return std::make_unique<Courant>(std::move(inner), courant->first, imaginary_stability_limit(law),
-                                     courant->second);
+    const auto [safety, omega] = *courant;
+    return std::make_unique<Courant>(std::move(inner), safety,
+                                     courant_limit(law, velocity, omega, common_damping(system)), omega);
   });
 }
 
@@ -141,7 +142,8 @@ IntegratorFactory series_method(const MethodArguments& arguments, Truncation law
                                       draws};
   const TruncationLaw known = known_beforehand(law);
   const double orders = known.mean() + (options.velocity == VelocitySeries::own_series ? 1 : 0) - 1;
-  std::shared_ptr<const Control> model = read_control(arguments.control, known, *arguments.system);
+  std::shared_ptr<const Control> model =
+      read_control(arguments.control, known, options.velocity, *arguments.system);
   return {[system = arguments.system, law, model, options] {
             return std::make_unique<RandomTaylor>(*system, law, model->clone(), options);
           },

@@ -6,6 +6,7 @@
 #include "studies/paper_table.hpp"
 #include "studies/reference_table.hpp"
 #include "studies/speed_against_error.hpp"
+#include "studies/stability.hpp"
 
 namespace jetlag {
 
@@ -17,6 +18,7 @@ void add_studies(CLI::App& app, std::optional<Study>& chosen) {
   add_reference_table(*study, chosen);
   add_long_runs(*study, chosen);
   add_speed_against_error(*study, chosen);
+  add_stability(app, chosen);
 }
 
 }  // namespace jetlag

@@ -11,7 +11,7 @@ namespace jetlag {
 /// A study with its arguments; returns an exit code.
 using Study = std::function<int()>;
 
-/// Adds `study NAME` for each study; the one that is called is put into `chosen`.
+/// Adds `study NAME` for each study, and `stability`; the one that is called is put into `chosen`.
 void add_studies(CLI::App& app, std::optional<Study>& chosen);
 
 }  // namespace jetlag

@@ -18,12 +18,13 @@
 
 #include "jetlag/motion/expansion.hpp"
 #include "jetlag/truncation/truncation.hpp"
+#include "jetlag/truncation/velocity_series.hpp"
 
 namespace jetlag {
 
 /// What a control looks at.
 struct Prospect {
-  const Expansion<double>& series;  // known to law.max_degree() at least, when the control asks for it;
+  const Expansion<double>& series;  // known to the order that the control asks for, at least;
                                     // its unit of time is its own: coefficient k comes with time_unit^k
   const TruncationLaw& law;         // where the series will be stopped
 };
@@ -32,8 +33,9 @@ class Control {
  public:
   virtual ~Control() = default;
 
-  /// Whether propose() reads the series up to the largest degree of the law.
-  virtual bool reads_series() const = 0;
+  /// The highest order of the positions that propose() reads, 0 for none: it is grown before the step is known. It does
+  /// not depend on the degree that is drawn, nor may the step, or the series would no longer be unbiased.
+  virtual int orders_read(const TruncationLaw& law, VelocitySeries velocity) const = 0;
 
   /// The next step [s], > 0 and at most max_step.
   virtual double propose(const Prospect& prospect) = 0;
@@ -54,6 +56,16 @@ inline double largest(const CoefficientView<double>& coefficient) {
     }
   return numbers ? most : std::numeric_limits<double>::quiet_NaN();
 }
+
+/// The highest order r that the two estimates below read: N where the degree is fixed; otherwise m + 1, the order of the
+/// first random term, which velocities of their own series need at every step anyway, but 4 at least (and N at most): a
+/// series has ended where two coefficients in a row vanish, and the second one of free fall does not.
+///
+/// So the choice of a step does not make the rare high orders be computed. They are continued from those that are read,
+///     |c_{r+i}| ~ max(|c_r|, q |c_{r-1}|) q^i,      q = max((|c_r| / |c_{r-2}|)^{1/2}, (|c_{r-1}| / |c_{r-3}|)^{1/2}),
+/// |.| the largest component over all particles: exact for a geometric series, too large for one that decays faster, and
+/// for an oscillation the same at every phase.
+int orders_for_errors(const TruncationLaw& law);
 
 /// The largest variance of a component of a position at step h, over all particles: max_i Var g_i(h) [m^2].
 double largest_position_variance(const Prospect& prospect, double h);

@@ -4,26 +4,31 @@
 
 #include "jetlag/control/control.hpp"
 #include "jetlag/motion/system.hpp"
-#include "jetlag/truncation/truncation.hpp"
+#include "jetlag/truncation/stability.hpp"
 
 namespace jetlag {
-
-/// The largest y such that the law is stable in mean square for q'' = -q at every step in (0, y]:
-///     E|R_K(i y)|^2 = |T_N(i y)|^2 + sum_{n>m} (w_n - w_{n-1}) |S_n(i y)|^2 <= 1,   S_n(z) = sum_{j=n..N} z^j / j!.
-/// 0 where the first steps are unstable already (degree 6, say). For a fixed degree: its limit on the imaginary axis.
-double imaginary_stability_limit(const TruncationLaw& law);
 
 /// An upper bound of the fastest angular frequency [rad/s] of a system at any configuration, from the elements that
 /// have a stiffness k:  omega^2 <= max over elements (a, b) of  sum_{j at a} k_aj / m_a + sum_{j at b} k_bj / m_b.
 /// Fixed particles count as infinitely heavy. 0 when no law of the system has a stiffness.
 double frequency_bound(const System<double>& system);
 
+/// The rate c / m [1/s] at which drag slows every particle that is not fixed, if it is the same for all of them: then each
+/// oscillation is q'' = -omega^2 q - (c/m) q'. Otherwise 0, on the safe side.
+double common_damping(const System<double>& system);
+
+/// The Courant limit omega h [1]: how long a step may be for all oscillations of frequencies up to omega [rad/s] and of
+/// this damping [1/s] to be stable in mean square. 0 where there is none, as for degree 6 without damping.
+double courant_limit(const TruncationLaw& law, VelocitySeries velocity, double omega, double damping);
+
 /// Another control, cropped at  safety * limit / omega.
 class Courant final : public Control {
  public:
-  /// limit: see imaginary_stability_limit (2 for leapfrog). safety: in (0, 1].
+  /// limit: see courant_limit (2 for leapfrog). safety: in (0, 1]. Throws std::invalid_argument, also for a limit of 0.
   Courant(std::unique_ptr<Control> inner, double safety, double limit, double omega);
-  bool reads_series() const override { return inner_->reads_series(); }
+  int orders_read(const TruncationLaw& law, VelocitySeries velocity) const override {
+    return inner_->orders_read(law, velocity);
+  }
   double propose(const Prospect& prospect) override {
     return std::min(inner_->propose(prospect), largest_step_);
   }

@@ -19,7 +19,7 @@ class HalveDouble final : public Control {
   /// step: the first one [s]; max_step >= step [s]; 0 < min_variance < max_variance [m^2].
   /// min_degree: m of the truncation law. Throws std::invalid_argument.
   HalveDouble(double step, double max_step, double min_variance, double max_variance, int min_degree);
-  bool reads_series() const override { return true; }
+  int orders_read(const TruncationLaw& law, VelocitySeries) const override { return orders_for_errors(law); }
   double propose(const Prospect& prospect) override;
   std::unique_ptr<Control> clone() const override { return std::make_unique<HalveDouble>(*this); }
 

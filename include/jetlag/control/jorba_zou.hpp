@@ -36,7 +36,9 @@ class JorbaZou final : public Control {
   explicit JorbaZou(double max_step = std::numeric_limits<double>::infinity()) : max_step_(max_step) {
     require_positive("max_step", max_step, true);
   }
-  bool reads_series() const override { return true; }
+  int orders_read(const TruncationLaw& law, VelocitySeries velocity) const override {
+    return law.max_degree() + (velocity == VelocitySeries::own_series ? 1 : 0);
+  }
   double propose(const Prospect& prospect) override;
   std::unique_ptr<Control> clone() const override { return std::make_unique<JorbaZou>(*this); }
 

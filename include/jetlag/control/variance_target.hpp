@@ -13,7 +13,7 @@ class VarianceTarget final : public Control {
  public:
   /// step: the first one [s]; tolerance_random, tolerance_bias: errors of a position in one step [m].
   VarianceTarget(double step, double max_step, double tolerance_random, double tolerance_bias);
-  bool reads_series() const override { return true; }
+  int orders_read(const TruncationLaw& law, VelocitySeries) const override { return orders_for_errors(law); }
   double propose(const Prospect& prospect) override;
   std::unique_ptr<Control> clone() const override { return std::make_unique<VarianceTarget>(*this); }
 

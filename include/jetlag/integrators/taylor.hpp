@@ -11,14 +11,9 @@
 #include "jetlag/truncation/draws.hpp"
 #include "jetlag/truncation/sequential.hpp"
 #include "jetlag/truncation/truncation.hpp"
+#include "jetlag/truncation/velocity_series.hpp"
 
 namespace jetlag {
-
-/// Which series the velocity is taken from.         Source: methods 1c.
-enum class VelocitySeries {
-  own_series,  // its own, v = sum_{n<=K} w_n v_n h^n: one coefficient more of x is needed
-  derivative,  // the derivative of the position's, v = sum_{1<=n<=K} w_n n x_n h^{n-1}: one order less
-};
 
 /// The paper's method: the series is stopped at a random degree K and weighted so that it stays unbiased,
 ///     y(t + h) = sum_{n=0..K} w_n y_n h^n,   w_n = 1 / P(K >= n).

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Which series the velocity is taken from when a series is stopped at degree K.
+
+namespace jetlag {
+
+/// Source: methods 1c.
+enum class VelocitySeries {
+  own_series,  // its own, v = sum_{n<=K} w_n v_n h^n: one coefficient more of x is needed
+  derivative,  // the derivative of the position's, v = sum_{1<=n<=K} w_n n x_n h^{n-1}: one order less
+};
+
+}  // namespace jetlag
