@@ -170,6 +170,13 @@ double RandomTaylor::step(State<double>& state, double limit, Report& report) {
   return h;
 }
 
+void RandomTaylor::exchange(Member& member) {
+  std::swap(options_.seed, member.seed);
+  std::swap(update_, member.update);
+  std::swap(control_, member.control);
+  time_unit_ = 1;
+}
+
 Piece RandomTaylor::piece() const {
   Piece piece{series_.time(), series_.time() + last_step_, {}, {}, series_.time_unit()};
   const bool derivative = options_.velocity == VelocitySeries::derivative;
