@@ -31,6 +31,7 @@ std::vector<std::array<int, 2>> read_forces(const Value& forces, const Particles
 /// "integrator", "control" and "schedule" together.
 struct Method {
   std::function<std::unique_ptr<Schedule>()> schedule;
+  std::optional<SeriesMethod> series;
   std::uint64_t max_steps;
   int threads;
   std::optional<double> fixed_step;

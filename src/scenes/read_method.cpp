@@ -116,6 +116,7 @@ struct IntegratorFactory {
   std::function<std::unique_ptr<Integrator>()> make;
   double mean_orders;
   int largest_degree;
+  std::optional<SeriesMethod> series{};
 };
 
 struct MethodArguments {
@@ -135,7 +136,7 @@ IntegratorFactory series_method(const MethodArguments& arguments, TruncationLaw 
   return {[system = arguments.system, law, model, options] {
             return std::make_unique<RandomTaylor>(*system, law, model->clone(), options);
           },
-          orders, law.max_degree()};
+          orders, law.max_degree(), SeriesMethod{law, options, model}};
 }
 
 IntegratorFactory read_taylor(const MethodArguments& arguments) {
@@ -202,6 +203,7 @@ Method read_method(const Value& scene, std::shared_ptr<const System<double>> sys
   if (control.at("type").text() == "fixed" && !control.has("courant"))
     fixed_step = control.at("step").number(positive);
   return {[make = method.make] { return std::make_unique<Lockstep>(make()); },
+          method.series,
           static_cast<std::uint64_t>(max_steps),
           threads,
           fixed_step,
