@@ -3,6 +3,7 @@
 
 #include <Random123/philox.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <stdexcept>
@@ -18,59 +19,95 @@ namespace {
 class OneByOne final : public RandomEnsemble::Members {
  public:
   OneByOne(const System<double>& system, SeriesMethod method, const std::vector<State<double>>& states,
-           std::uint64_t max_steps)
-      : Members(states.size()),
-        system_(system),
-        method_(std::move(method)),
-        states_(states),
-        members_(states.size()),
-        steps_(states.size(), 0),
-        max_steps_(max_steps) {
+           const RandomEnsemble::Options& options)
+      : Members(states.size()), system_(system), method_(std::move(method)), options_(options) {
     method_.options.threads = 1;
-    for (std::size_t i = 0; i < states.size(); ++i)
-      members_[i] = {member_seed(method_.options.seed, i), 0, method_.control->clone()};
-    for (State<double>& state : states_) state.drop_rests();
+    members_.resize(states.size());
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      Member& member = members_[i];
+      member.draws.seed = member_seed(method_.options.seed, i);
+      member.draws.control = method_.control->clone();
+      member.state = states[i];
+      member.state.drop_rests();
+      member.begin = member.seen = member.state;
+    }
   }
 
   bool in_lanes() const override { return false; }
-  std::size_t tasks() const override { return states_.size(); }
-  State<double> state(std::size_t i) const override { return states_[i]; }
+  std::size_t tasks() const override { return members_.size(); }
+  State<double> state(std::size_t i) const override {
+    return reports[i].outcome == Outcome::success ? members_[i].seen : members_[i].state;
+  }
 
   void advance(std::size_t i, double until, const std::function<bool()>& go_on) override {
-    State<double>& state = states_[i];
-    if (reports[i].outcome != Outcome::success || state.time >= until) return;
-    auto taylor = pool_.lend([&] {
-      return std::make_unique<RandomTaylor>(system_, method_.law, method_.control->clone(), method_.options);
-    });
-    taylor->exchange(members_[i]);
-    while (state.time < until && reports[i].outcome == Outcome::success && (!go_on || go_on())) {
-      if (steps_[i] >= max_steps_) {
-        reports[i] = step_limit(max_steps_, state.time);
+    Member& member = members_[i];
+    State<double>& state = member.state;
+    Report& report = reports[i];
+    if (report.outcome != Outcome::success) return;
+    if (state.time >= until) return look_again(member, until);
+    auto taylor = lend(steppers_);
+    taylor->exchange(member.draws);
+    while (state.time < until && (!go_on || go_on())) {
+      if (member.steps >= options_.max_steps) {
+        report = step_limit(options_.max_steps, state.time);
         break;
       }
-      const double limit = until - state.time, h = taylor->step(state, limit, reports[i]);
-      if (reports[i].outcome != Outcome::success) break;
-      state.time = h == limit ? until : state.time + h;
-      ++steps_[i];
+      const double limit = options_.end - state.time;
+      member.begin = state;
+      member.length = taylor->step(state, limit, report);
+      if (report.outcome != Outcome::success) break;
+      state.time = member.length == limit ? options_.end : state.time + member.length;
+      ++member.steps;
+      if (state.time >= until) member.seen = state.time == until ? state : taylor->piece().at(until);
     }
-    taylor->exchange(members_[i]);
-    pool_.give_back(std::move(taylor));
+    taylor->exchange(member.draws);
+    steppers_.give_back(std::move(taylor));
   }
 
   Work work() const override {
     Work all;
-    pool_.each([&](const RandomTaylor& taylor) { add(taylor.work(), all); });
+    steppers_.each([&](const RandomTaylor& taylor) { add(taylor.work(), all); });
     return all;
   }
 
  private:
+  struct Member {
+    RandomTaylor::Member draws;
+    State<double> state, begin,
+        seen;           // at the end and at the beginning of the last step, and where it was looked at
+    double length = 0;  // of the last step
+    std::uint64_t steps = 0;
+  };
+
+  std::unique_ptr<RandomTaylor> lend(Pool<RandomTaylor>& pool) {
+    return pool.lend([&] {
+      return std::make_unique<RandomTaylor>(system_, method_.law, method_.control->clone(), method_.options);
+    });
+  }
+
+  /// The state at a time of the last step, which is taken once more: same state and update, same bits.
+  void look_again(Member& member, double time) {
+    if (time == member.state.time || member.steps == 0) {
+      member.seen = member.state;
+      return;
+    }
+    auto taylor = lend(lookers_);
+    RandomTaylor::Member before{member.draws.seed, member.draws.update - 1,
+                                std::make_unique<FixedStep>(member.length)};
+    taylor->exchange(before);
+    State<double> state = member.begin;
+    Report report;
+    taylor->step(state, member.length, report);
+    member.seen = taylor->piece().at(time);
+    taylor->exchange(before);
+    lookers_.give_back(std::move(taylor));
+  }
+
   System<double> system_;
   SeriesMethod method_;
-  std::vector<State<double>> states_;
-  std::vector<RandomTaylor::Member> members_;
-  std::vector<std::uint64_t> steps_;
-  std::uint64_t max_steps_;
-  Pool<RandomTaylor> pool_;
+  RandomEnsemble::Options options_;
+  std::vector<Member> members_;
+  Pool<RandomTaylor> steppers_, lookers_;  // the work of the first ones counts
 };
 
 void check(const System<double>& system, const std::vector<State<double>>& states) {
@@ -116,8 +153,9 @@ void add(const Work& work, Work& to) {
 
 RandomEnsemble::RandomEnsemble(const System<double>& system, const SeriesMethod& method,
                                const std::vector<State<double>>& states, const Options& options)
-    : workers_(options.workers) {
+    : workers_(options.workers), time_(states.empty() ? 0.0 : states[0].time), end_(options.end) {
   check(system, states);
+  if (!(options.end >= time_)) throw std::invalid_argument("RandomEnsemble: the end lies before the states");
   const bool possible =
       !method.options.compensated && dynamic_cast<const FixedStep*>(method.control.get()) != nullptr;
   if (options.layout == Layout::in_lanes && !possible)
@@ -125,9 +163,9 @@ RandomEnsemble::RandomEnsemble(const System<double>& system, const SeriesMethod&
   const bool lanes = options.layout == Layout::in_lanes ||
                      (options.layout == Layout::automatic && possible && fits_lanes(system));
   if (lanes)
-    members_ = members_in_lanes(system, method, states, options.max_steps);
+    members_ = members_in_lanes(system, method, states, options);
   else
-    members_ = std::make_unique<OneByOne>(system, method, states, options.max_steps);
+    members_ = std::make_unique<OneByOne>(system, method, states, options);
 }
 
 RandomEnsemble::~RandomEnsemble() = default;
@@ -137,6 +175,9 @@ RandomEnsemble& RandomEnsemble::operator=(RandomEnsemble&&) noexcept = default;
 bool RandomEnsemble::advance_to(double until, const std::function<bool()>& go_on) {
   if (!std::isfinite(until))
     throw std::invalid_argument("RandomEnsemble: the time to advance to must be finite");
+  if (until < time_)
+    throw std::invalid_argument("RandomEnsemble: the time to advance to lies before that of the states");
+  until = std::min(until, end_);
   std::atomic<bool> stopped = false;
   const std::function<bool()> watched = [&] {
     if (!stopped && !go_on()) stopped = true;
@@ -145,6 +186,7 @@ bool RandomEnsemble::advance_to(double until, const std::function<bool()>& go_on
   const std::function<bool()> none;
   workers_.each(members_->tasks(),
                 [&](std::size_t task) { members_->advance(task, until, go_on ? watched : none); });
+  if (!stopped) time_ = until;
   return !stopped;
 }
 

@@ -24,7 +24,7 @@ class RandomEnsemble::Members {
 std::unique_ptr<RandomEnsemble::Members> members_in_lanes(const System<double>& system,
                                                           const SeriesMethod& method,
                                                           const std::vector<State<double>>& states,
-                                                          std::uint64_t max_steps);
+                                                          const RandomEnsemble::Options& options);
 
 /// Whether a system is small enough for lanes to be faster.
 bool fits_lanes(const System<double>& system);

@@ -21,7 +21,7 @@ constexpr std::size_t most_elements = 100;
 class InLanes final : public RandomEnsemble::Members {
  public:
   InLanes(const System<double>& system, const SeriesMethod& method, const std::vector<State<double>>& states,
-          std::uint64_t max_steps);
+          const RandomEnsemble::Options& options);
 
   bool in_lanes() const override { return true; }
   std::size_t tasks() const override { return blocks_.size(); }
@@ -38,7 +38,11 @@ class InLanes final : public RandomEnsemble::Members {
     double time = 0;
     std::uint64_t update = 0;
     Work work;
-    AlignedVector<double> position, velocity;  // [component][lane]
+    AlignedVector<double> position, velocity;              // [component][lane]
+    double begin = 0;                                      // of the last step
+    AlignedVector<double> begin_position, begin_velocity;  // there
+    double seen = 0;                                       // the time that was looked at
+    AlignedVector<double> seen_position, seen_velocity;    // there
   };
   struct Workspace {
     Workspace(const InLanes& of)
@@ -58,7 +62,11 @@ class InLanes final : public RandomEnsemble::Members {
   };
 
   int draw(std::size_t first, const std::vector<char>& moves, std::uint64_t update, Workspace& work) const;
+  void grow(const AlignedVector<double>& position, const AlignedVector<double>& velocity, double time,
+            int top, Workspace& work) const;
   void sum(int top, double h, Workspace& work) const;
+  void look(std::size_t first, double time, Block& block, Workspace& work) const;
+  int order_needed(int top) const { return options_.velocity == VelocitySeries::own_series ? top + 1 : top; }
 
   SystemLanes system_;
   TruncationLaw law_;
@@ -69,6 +77,7 @@ class InLanes final : public RandomEnsemble::Members {
   int lanes_, draws_, terms_;  // draws_: 1, or one for each particle; terms_: one more than the law has
   int moving_ = 0;
   std::uint64_t max_steps_;
+  double end_;
   std::vector<std::uint64_t> seeds_;
   std::vector<double> stopped_;  // the time of each member that has failed
   std::vector<Block> blocks_;
@@ -76,7 +85,7 @@ class InLanes final : public RandomEnsemble::Members {
 };
 
 InLanes::InLanes(const System<double>& system, const SeriesMethod& method,
-                 const std::vector<State<double>>& states, std::uint64_t max_steps)
+                 const std::vector<State<double>>& states, const RandomEnsemble::Options& options)
     : Members(states.size()),
       system_(system),
       law_(method.law),
@@ -87,7 +96,8 @@ InLanes::InLanes(const System<double>& system, const SeriesMethod& method,
       lanes_(table_->lanes),
       terms_(law_.max_degree() + 2),
       moving_(moving_particles(system)),
-      max_steps_(max_steps) {
+      max_steps_(options.max_steps),
+      end_(options.end) {
   if (law_.is_fixed()) options_.shared_draw = true;
   draws_ = options_.shared_draw ? 1 : system_.particles;
   for (std::size_t i = 0; i < states.size(); ++i) seeds_.push_back(member_seed(options_.seed, i));
@@ -95,7 +105,7 @@ InLanes::InLanes(const System<double>& system, const SeriesMethod& method,
   blocks_.resize((states.size() + lanes_ - 1) / lanes_);
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     Block& block = blocks_[b];
-    block.time = states[0].time;
+    block.time = block.begin = block.seen = states[0].time;
     block.position.resize(static_cast<std::size_t>(system_.components) * lanes_);
     block.velocity.resize(block.position.size());
     for (int lane = 0; lane < lanes_; ++lane) {  // lanes beyond the last member repeat it
@@ -105,6 +115,8 @@ InLanes::InLanes(const System<double>& system, const SeriesMethod& method,
         block.velocity[c * lanes_ + lane] = state.velocity.data()[c];
       }
     }
+    block.begin_position = block.seen_position = block.position;
+    block.begin_velocity = block.seen_velocity = block.velocity;
   }
 }
 
@@ -136,7 +148,19 @@ int InLanes::draw(std::size_t first, const std::vector<char>& moves, std::uint64
   return top;
 }
 
-/// Positions and velocities at the end of the step.
+/// The series from a state, for degrees up to `top`.
+void InLanes::grow(const AlignedVector<double>& position, const AlignedVector<double>& velocity, double time,
+                   int top, Workspace& work) const {
+  for (int c = 0; c < system_.components; ++c) {
+    double* x = work.series.at(0, system_.series[c], 0);
+    std::copy_n(position.data() + c * lanes_, lanes_, x);
+    std::copy_n(velocity.data() + c * lanes_, lanes_, x + lanes_);
+  }
+  std::ranges::fill(work.time, time);
+  system_.grow(work.series, *of_, work.time.data(), order_needed(top));
+}
+
+/// Positions and velocities after h.
 void InLanes::sum(int top, double h, Workspace& work) const {
   const bool derivative = options_.velocity == VelocitySeries::derivative;
   double* position = work.next.data();
@@ -170,7 +194,7 @@ void InLanes::advance(std::size_t number, double until, const std::function<bool
   };
   auto work = pool_.lend([&] { return std::make_unique<Workspace>(*this); });
   while (block.time < until && moving > 0 && (!go_on || go_on())) {
-    const double h = cropped(step_, until - block.time);
+    const double h = cropped(step_, end_ - block.time);
     if (block.update >= max_steps_ || !advances(block.time, h)) {
       for (int i = 0; i < active; ++i)
         if (moves[i])
@@ -180,14 +204,8 @@ void InLanes::advance(std::size_t number, double until, const std::function<bool
       break;
     }
     const int top = draw(first, moves, block.update, *work);
-    const int order = options_.velocity == VelocitySeries::own_series ? top + 1 : top;
-    for (int c = 0; c < system_.components; ++c) {
-      double* x = work->series.at(0, system_.series[c], 0);
-      std::copy_n(block.position.data() + c * lanes_, lanes_, x);
-      std::copy_n(block.velocity.data() + c * lanes_, lanes_, x + lanes_);
-    }
-    std::ranges::fill(work->time, block.time);
-    system_.grow(work->series, *of_, work->time.data(), order);
+    const int order = order_needed(top);
+    grow(block.position, block.velocity, block.time, top, *work);
     std::ranges::fill(work->not_finite, 0.0);
     sum(top, h, *work);
 
@@ -205,6 +223,9 @@ void InLanes::advance(std::size_t number, double until, const std::function<bool
         all_finite(lane(next_position, i), lane(next_velocity, i), block.time, report);
         end(i, std::move(report));
       }
+    block.begin = block.time;
+    block.begin_position = block.position;
+    block.begin_velocity = block.velocity;
     for (int c = 0; c < system_.components; ++c) {
       if (system_.inverse_mass[c] == 0.0) continue;
       for (int i = 0; i < lanes_; ++i) {
@@ -213,7 +234,7 @@ void InLanes::advance(std::size_t number, double until, const std::function<bool
         block.velocity[c * lanes_ + i] = next_velocity[c * lanes_ + i];
       }
     }
-    block.time = h == until - block.time ? until : block.time + h;
+    block.time = h == end_ - block.time ? end_ : block.time + h;
     ++block.update;
 
     block.work.steps += moving;
@@ -223,18 +244,41 @@ void InLanes::advance(std::size_t number, double until, const std::function<bool
     for (int i = 0; i < active; ++i)
       if (moves[i]) block.work.degrees += work->degrees[i];
   }
+  if (block.time >= until) look(first, until, block, *work);
   pool_.give_back(std::move(work));
+}
+
+/// The states at a time of the last step, which is taken once more where it does not end there.
+void InLanes::look(std::size_t first, double time, Block& block, Workspace& work) const {
+  block.seen = time;
+  block.seen_position = block.position;
+  block.seen_velocity = block.velocity;
+  if (time == block.time || block.update == 0) return;
+  std::vector<char> moves(lanes_, 0);
+  for (int i = 0; i < lanes_ && first + i < reports.size(); ++i)
+    moves[i] = reports[first + i].outcome == Outcome::success;
+  const int top = draw(first, moves, block.update - 1, work);
+  grow(block.begin_position, block.begin_velocity, block.begin, top, work);
+  sum(top, time - block.begin, work);
+  const double* position = work.next.data();
+  const double* velocity = position + block.position.size();
+  for (int c = 0; c < system_.components; ++c) {
+    if (system_.inverse_mass[c] == 0.0) continue;
+    std::copy_n(position + c * lanes_, lanes_, block.seen_position.data() + c * lanes_);
+    std::copy_n(velocity + c * lanes_, lanes_, block.seen_velocity.data() + c * lanes_);
+  }
 }
 
 State<double> InLanes::state(std::size_t i) const {
   const Block& block = blocks_[i / lanes_];
   const bool stopped = reports[i].outcome != Outcome::success;
-  State<double> state{stopped ? stopped_[i] : block.time,
+  State<double> state{stopped ? stopped_[i] : block.seen,
                       Coordinates<double>(system_.particles, system_.dimension),
                       Coordinates<double>(system_.particles, system_.dimension)};
   for (int c = 0; c < system_.components; ++c) {
-    state.position.data()[c] = block.position[c * lanes_ + i % lanes_];
-    state.velocity.data()[c] = block.velocity[c * lanes_ + i % lanes_];
+    const std::size_t at = c * lanes_ + i % lanes_;
+    state.position.data()[c] = stopped ? block.position[at] : block.seen_position[at];
+    state.velocity.data()[c] = stopped ? block.velocity[at] : block.seen_velocity[at];
   }
   return state;
 }
@@ -250,8 +294,8 @@ bool fits_lanes(const System<double>& system) {
 std::unique_ptr<RandomEnsemble::Members> members_in_lanes(const System<double>& system,
                                                           const SeriesMethod& method,
                                                           const std::vector<State<double>>& states,
-                                                          std::uint64_t max_steps) {
-  return std::make_unique<InLanes>(system, method, states, max_steps);
+                                                          const RandomEnsemble::Options& options) {
+  return std::make_unique<InLanes>(system, method, states, options);
 }
 
 }  // namespace jetlag

@@ -47,12 +47,6 @@ void check(const Scene& scene, const EnsembleOptions& options) {
   series_of(scene, options);
   if (moving_particles(*scene.system) == 0)
     throw SceneError("particles.fixed: all particles are fixed; an ensemble needs one that moves");
-  const double apart = scene.until / scene.output.frames;
-  if (scene.fixed_step && *scene.fixed_step > 1.000001 * apart)
-    throw SceneError("output.frames: " + std::to_string(scene.output.frames) + " frames are " +
-                     number(apart) + " s apart, and the steps of an ensemble end there; must be at most " +
-                     std::to_string(std::max(1L, std::lround(std::floor(scene.until / *scene.fixed_step)))) +
-                     " for steps of " + number(*scene.fixed_step) + " s");
   const double components = double(scene.system->particles()) * scene.system->dimension();
   const double bytes = 8 * (4 * components * options.members + 2 * 12 * components * scene.output.frames);
   const double memory = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
@@ -120,31 +114,35 @@ class Companion {
  public:
   Companion(const Scene& scene, TruncationLaw law, std::unique_ptr<Control> control,
             RandomTaylor::Options options)
-      : taylor_(*scene.system, std::move(law), std::move(control), options), state_(scene.initial) {}
+      : taylor_(*scene.system, std::move(law), std::move(control), options),
+        state_(scene.initial),
+        seen_(scene.initial),
+        end_(scene.until) {}
 
-  /// Returns whether it has arrived.
-  bool advance_to(double until, const std::function<bool()>& go_on) {
-    while (message_.empty() && state_.time < until) {
-      if (go_on && !go_on()) return false;
+  /// Its state is then that at `time`, from the polynomial of the last step.
+  void advance_to(double time, const std::function<bool()>& go_on) {
+    while (message_.empty() && state_.time < time) {
+      if (go_on && !go_on()) return;
       if (taylor_.work().steps >= most_steps)
         message_ = "left at t = " + number(state_.time) + " s after " + std::to_string(most_steps) + " steps";
       Report report;
-      const double limit = until - state_.time, h = taylor_.step(state_, limit, report);
+      const double limit = end_ - state_.time, h = taylor_.step(state_, limit, report);
       if (report.outcome != Outcome::success)
         message_ = "ended at t = " + number(state_.time) + " s: " + report.message;
       else
-        state_.time = h == limit ? until : state_.time + h;
+        state_.time = h == limit ? end_ : state_.time + h;
     }
-    return message_.empty();
+    if (message_.empty()) seen_ = state_.time == time ? state_ : taylor_.piece().at(time);
   }
-  const State<double>& state() const { return state_; }
+  const State<double>& state() const { return seen_; }
   /// Why it goes no further; empty: it does.
   const std::string& message() const { return message_; }
 
  private:
   static constexpr std::uint64_t most_steps = 5'000'000;
   RandomTaylor taylor_;
-  State<double> state_;
+  State<double> state_, seen_;
+  double end_;
   std::string message_;
 };
 
@@ -176,7 +174,7 @@ class EnsembleRun {
         hooks_(hooks),
         series_(series_of(scene, options)),
         workers_(options.threads),
-        members_(*scene.system, series_, starts(scene, options), {workers_, scene.max_steps}),
+        members_(*scene.system, series_, starts(scene, options), {workers_, scene.max_steps, scene.until}),
         reference_(scene, fixed_degree(20), std::make_unique<JorbaZou>(), companion_options(series_, true)),
         deterministic_(scene, fixed_degree(deterministic_degree()), series_.control->clone(),
                        companion_options(series_, false)) {

@@ -15,6 +15,8 @@
 namespace jetlag {
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 using Layout = RandomEnsemble::Layout;
 
 /// F = -k x: linear, so that expectations go through.
@@ -53,10 +55,11 @@ SeriesMethod method(bool shared_draw, VelocitySeries velocity, double step = 0.1
 }
 
 RandomEnsemble ensemble(const System<double>& system, const SeriesMethod& method, const State<double>& start,
-                        std::size_t members, Layout layout, int threads = 1) {
+                        std::size_t members, Layout layout, int threads = 1, double end = infinity) {
   RandomEnsemble::Options options;
   options.workers = Workers(threads);
   options.layout = layout;
+  options.end = end;
   return {system, method, std::vector<State<double>>(members, start), options};
 }
 
@@ -71,31 +74,37 @@ TEST(RandomEnsemble, IsRandomTaylorWithASeedForEachMember) {
   for (const bool shared_draw : {true, false})
     for (const auto velocity : {VelocitySeries::own_series, VelocitySeries::derivative}) {
       const SeriesMethod series = method(shared_draw, velocity);
-      auto lanes = ensemble(chain(), series, stretched(), 70, Layout::in_lanes);
-      auto alone = ensemble(chain(), series, stretched(), 70, Layout::one_by_one);
+      auto lanes = ensemble(chain(), series, stretched(), 70, Layout::in_lanes, 1, 4.3);
+      auto alone = ensemble(chain(), series, stretched(), 70, Layout::one_by_one, 1, 4.3);
       EXPECT_TRUE(lanes.in_lanes());
       EXPECT_FALSE(alone.in_lanes());
-      for (const double until : {1.03, 4.25}) {
-        lanes.advance_to(until);
-        alone.advance_to(until);
-      }
-      for (const std::size_t i : {0, 31, 69}) {
+      std::vector<RandomTaylor> methods;
+      std::vector<State<double>> states(70, stretched());
+      for (std::size_t i = 0; i < states.size(); ++i) {
         auto options = series.options;
         options.seed = member_seed(5, i);
-        RandomTaylor taylor(chain(), series.law, series.control->clone(), options);
-        State<double> state = stretched();
-        Report report;
-        for (const double until : {1.03, 4.25})
-          while (state.time < until) {
-            const double limit = until - state.time, h = taylor.step(state, limit, report);
-            ASSERT_GT(h, 0.0);
-            state.time = h == limit ? until : state.time + h;
-          }
-        expect_same_bits(alone.state(i), state);
-        EXPECT_EQ(lanes.state(i).time, 4.25);
-        EXPECT_LT((lanes.state(i).position - state.position).cwiseAbs().maxCoeff(), 1e-12);
-        EXPECT_LT((lanes.state(i).velocity - state.velocity).cwiseAbs().maxCoeff(), 1e-12);
+        methods.emplace_back(chain(), series.law, series.control->clone(), options);
       }
+      for (const double time :
+           {1.03, 1.04, 1.04, 2.0, 4.28, 4.3, 5.0}) {  // some in the same step, the last two at the end
+        lanes.advance_to(time);
+        alone.advance_to(time);
+        for (const std::size_t i : {0, 31, 69}) {
+          State<double>& state = states[i];
+          Report report;
+          while (state.time < std::min(time, 4.3)) {
+            const double limit = 4.3 - state.time, h = methods[i].step(state, limit, report);
+            ASSERT_GT(h, 0.0);
+            state.time = h == limit ? 4.3 : state.time + h;
+          }
+          const auto seen = time < state.time ? methods[i].piece().at(time) : state;
+          expect_same_bits(alone.state(i), seen);
+          EXPECT_EQ(lanes.state(i).time, seen.time);
+          EXPECT_LT((lanes.state(i).position - seen.position).cwiseAbs().maxCoeff(), 1e-12);
+          EXPECT_LT((lanes.state(i).velocity - seen.velocity).cwiseAbs().maxCoeff(), 1e-12);
+        }
+      }
+      EXPECT_EQ(alone.work().steps, 70 * methods[0].work().steps);
       EXPECT_NE(lanes.state(0).position, lanes.state(1).position);
       EXPECT_EQ(lanes.work().steps, alone.work().steps);
       EXPECT_EQ(lanes.work().updates, alone.work().updates);
@@ -208,6 +217,7 @@ TEST(RandomEnsemble, LeavesOthersAloneWhereOneFails) {
   for (const Layout layout : {Layout::in_lanes, Layout::one_by_one}) {
     RandomEnsemble::Options options;
     options.layout = layout;
+    options.end = 0.4;
     const SeriesMethod series = method(true, VelocitySeries::own_series, 0.05);
     RandomEnsemble healthy(system, series, std::vector(5, apart), options);
     RandomEnsemble one_fails(system, series, {apart, apart, together, apart, apart}, options);
@@ -229,8 +239,12 @@ TEST(RandomEnsemble, StopsWhereItIsAsked) {
     auto all = ensemble(chain(), method(true, VelocitySeries::own_series), stretched(), 40, layout);
     int questions = 0;
     EXPECT_FALSE(all.advance_to(2.0, [&] { return ++questions < 4; }));
-    EXPECT_NEAR(all.state(0).time, 0.25 + 3 * 0.1, 1e-15);
+    EXPECT_EQ(all.state(0).time, 0.25);  // as before
     EXPECT_EQ(all.report(0).outcome, Outcome::success);
+    EXPECT_TRUE(all.advance_to(2.0));
+    auto undisturbed = ensemble(chain(), method(true, VelocitySeries::own_series), stretched(), 40, layout);
+    undisturbed.advance_to(2.0);
+    for (std::size_t i = 0; i < all.size(); ++i) expect_same_bits(all.state(i), undisturbed.state(i));
 
     RandomEnsemble::Options options;
     options.layout = layout;
@@ -258,6 +272,7 @@ TEST(RandomEnsemble, RefusesWhatMakesNoSense) {
   EXPECT_THROW(RandomEnsemble(chain(), series, {stretched(), moved}), std::invalid_argument);
   RandomEnsemble two(chain(), series, {stretched(), stretched()});
   EXPECT_THROW(two.advance_to(std::nan("")), std::invalid_argument);
+  EXPECT_THROW(two.advance_to(0.2), std::invalid_argument);
   EXPECT_THROW(two.state(2), std::invalid_argument);
   series.options.compensated = true;
   EXPECT_THROW(ensemble(chain(), series, stretched(), 2, Layout::in_lanes), std::invalid_argument);

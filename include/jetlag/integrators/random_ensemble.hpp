@@ -39,6 +39,8 @@ class RandomEnsemble {
   struct Options {
     Workers workers{1};
     std::uint64_t max_steps = std::numeric_limits<std::uint64_t>::max();  // of each member
+    double end = std::numeric_limits<
+        double>::infinity();  // [s]: the last step of each member is shortened to end there
     Layout layout = Layout::automatic;
   };
 
@@ -56,10 +58,13 @@ class RandomEnsemble {
   RandomEnsemble(RandomEnsemble&&) noexcept;
   RandomEnsemble& operator=(RandomEnsemble&&) noexcept;
 
-  /// Every member goes to `until` [s], its last step shortened to end there. One that fails keeps the state before the
-  /// step that failed, says so in its report, and goes no further; the others do not notice.
-  /// go_on: asked now and then, by any thread; once it is false members stay where they are. Returns whether all have
-  /// been taken care of. Throws std::invalid_argument for a time that is not finite.
+  /// Every member goes to `until` [s] or Options::end, whichever is earlier: it takes the steps that lead there or beyond,
+  /// and its state is that of the last step's polynomial. Where one looks does not change the motion.
+  /// A member that fails keeps the state before the step that failed, says so in its report, and goes no further; the
+  /// others do not notice.
+  /// go_on: asked now and then, by any thread; once it is false members stay on their way, and their states are those of
+  /// before. Returns whether all have arrived. Throws std::invalid_argument for a time that is not finite or lies before
+  /// that of the states.
   bool advance_to(double until, const std::function<bool()>& go_on = {});
 
   std::size_t size() const;
@@ -76,6 +81,8 @@ class RandomEnsemble {
  private:
   std::unique_ptr<Members> members_;
   Workers workers_;
+  double time_;  // of the states
+  double end_;
 };
 
 }  // namespace jetlag

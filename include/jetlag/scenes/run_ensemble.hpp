@@ -28,8 +28,8 @@ struct EnsembleHooks {
   std::function<void(double time, double until)> after_frame;  // [s]
 };
 
-/// Runs the members of a scene from frame to frame, where their steps end, and keeps what they amount to at each: nothing
-/// else is kept. Member i draws with member_seed(scene.seed, i). Beside them run the reference and the run of a fixed
+/// Runs the members of a scene from frame to frame and keeps what they amount to at each, on the polynomials of the
+/// motion: nothing else is kept. Member i draws with member_seed(scene.seed, i). Beside them run the reference and the run of a fixed
 /// degree that Calibration speaks of.
 /// A member that fails is left out from then on; the ensemble fails when all have.
 /// Throws SceneError naming the option or the key: a scene whose members would all be the same, an integrator that is not a
