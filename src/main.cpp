@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The program: jetlag run | scenes | show | check | study | stability.
+// The program: jetlag run | ensemble | scenes | show | check | study | stability.
 //
 // Exit codes: 0 success; 1 a file cannot be written; 2 bad input, nothing is written; 3 the run did not reach its end.
 
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
-#include <atomic>
-#include <charconv>
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <optional>
@@ -20,75 +15,13 @@
 #include "jetlag/scenes/run_scene.hpp"
 #include "jetlag/scenes/scene.hpp"
 #include "jetlag/version.hpp"
+#include "studies/command_line.hpp"
+#include "studies/ensemble_command.hpp"
 #include "studies/studies.hpp"
 
 namespace {
 
 using namespace jetlag;
-
-std::atomic<bool> stop_requested = false;
-extern "C" void request_stop(int) { stop_requested = true; }
-
-/// The first Ctrl-C lets a run end in good order, the second ends the program.
-void stop_in_good_order() {
-  struct sigaction action{};
-  action.sa_handler = request_stop;
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-}
-
-constexpr int bad_input = 2, not_finished = 3;
-
-struct SceneArguments {
-  std::string scene;
-  std::vector<std::string> settings;
-  std::string seed;
-
-  void add_to(CLI::App& command) {
-    command.add_option("scene", scene, "a built-in scene or a JSON file")->required();
-    command.add_option("--set", settings, "replace a value: key.path=value, may be repeated")
-        ->allow_extra_args(false);
-    command.add_option("--seed", seed, "seed of the random numbers");
-  }
-  Scene load() const {
-    if (seed.empty()) return load_scene(scene, settings);
-    std::uint64_t number = 0;
-    const auto [end, error] = std::from_chars(seed.data(), seed.data() + seed.size(), number);
-    if (error != std::errc() || end != seed.data() + seed.size())
-      throw SceneError("--seed: got " + seed + "; must be a whole number from 0 to 18446744073709551615");
-    return load_scene(scene, settings, number);
-  }
-};
-
-/// A line that says how far a run is and how long it will still take: renewed in place on a terminal, now and then a
-/// new one in a log.
-class ProgressLine {
- public:
-  explicit ProgressLine(bool quiet)
-      : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0), start_(Clock::now()), last_(start_) {}
-
-  void show(const Progress& progress) {
-    const auto now = Clock::now();
-    if (quiet_ || now - last_ < std::chrono::milliseconds(terminal_ ? 100 : 3000)) return;
-    last_ = now;
-    shown_ = true;
-    const double elapsed = std::chrono::duration<double>(now - start_).count();
-    const double done = progress.time / progress.until;
-    std::fprintf(stderr, "%s%5.1f %%   t = %.4g s of %.4g s   %llu steps   %.3g s left   %s",
-                 terminal_ ? "\r" : "", 100 * done, progress.time, progress.until,
-                 static_cast<unsigned long long>(progress.steps), elapsed / done - elapsed,
-                 terminal_ ? "" : "\n");
-  }
-  ~ProgressLine() {
-    if (shown_ && terminal_) std::fprintf(stderr, "\r%*s\r", 78, "");
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  bool quiet_, terminal_, shown_ = false;
-  Clock::time_point start_, last_;
-};
 
 void print_result(const Summary& summary, const std::filesystem::path& folder) {
   std::printf("%s: %s at t = %.10g s, %llu steps, mean degree %.3g, %.3g s\n", folder.string().c_str(),
@@ -115,8 +48,8 @@ int run(const SceneArguments& arguments, std::filesystem::path folder, bool quie
   {
     ProgressLine line(quiet);
     hooks.after_step = [&](const Progress& progress) {
-      line.show(progress);
-      return !stop_requested;
+      line.show(progress.time, progress.until, progress.steps, "steps");
+      return !stop_requested();
     };
     result = run_scene_into(scene, folder, hooks, warnings);
   }
@@ -191,6 +124,7 @@ int main(int argc, char** argv) {
   auto* check_command = app.add_subcommand("check", "validate a scene and say what its run would cost");
   scene.add_to(*check_command);
   std::optional<Study> study;
+  add_ensemble(app, study);
   add_studies(app, study);
 
   try {

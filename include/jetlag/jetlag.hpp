@@ -11,6 +11,7 @@
 #include "jetlag/integrators/ensemble.hpp"
 #include "jetlag/integrators/first_order_taylor.hpp"
 #include "jetlag/integrators/leapfrog.hpp"
+#include "jetlag/integrators/random_ensemble.hpp"
 #include "jetlag/integrators/state_variance.hpp"
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/motion/energy.hpp"

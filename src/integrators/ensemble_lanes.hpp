@@ -26,6 +26,10 @@ struct EnsembleLanes {
   void (*largest)(int lanes, const double* from, double* most, double* not_finite);
   /// sum_{n=0..last} x_n h^n   and   sum_{n=0..last} (n+1) x_{n+1} h^n,   x_n at the distance lanes.
   void (*horner)(int lanes, int last, const double* x, const double* h, double* position, double* velocity);
+  /// sum_{n=0..last} w_n x_n h^n   and, `of_velocity`,   sum_{n=0..last} (n+1) w_n x_{n+1} h^n;   w_n and x_n at the
+  /// distance lanes. A term of weight 0 is left out, finite or not.
+  void (*weighted)(int lanes, bool of_velocity, int last, const double* x, const double* w, double h,
+                   double* sum);
   /// to = plus - minus.
   void (*subtract)(int lanes, const double* plus, const double* minus, double* to);
   /// log2 of normal numbers > 0, to 1e-12.
@@ -137,6 +141,36 @@ inline void horner(int lanes, int last, const double* x, const double* h, double
   }
 }
 
+template <class Pack>
+void weighted_of(bool of_velocity, int last, int stride, const double* x, const double* w, double h,
+                 double* to) {
+  const auto load = [](const double* from) {
+    Pack pack;
+    __builtin_memcpy(&pack, from, sizeof(Pack));
+    return pack;
+  };
+  const Pack none{};
+  Pack sum{};
+  for (int n = last; n >= 0; --n) {
+    const Pack weight = load(w + n * stride), c = load(x + (n + of_velocity) * stride);
+    const double rank = of_velocity ? n + 1.0 : 1.0;
+    const Pack term = weight != none ? (weight * rank) * c : none;
+    sum = sum * h + term;
+  }
+  __builtin_memcpy(to, &sum, sizeof(Pack));
+}
+
+inline void weighted(int lanes, bool of_velocity, int last, const double* x, const double* w, double h,
+                     double* sum) {
+  typedef double Pack __attribute__((vector_size(JETLAG_PACK)));
+  constexpr int width = JETLAG_PACK / 8;
+  if (lanes % width == 0)
+    for (int i = 0; i < lanes; i += width)
+      weighted_of<Pack>(of_velocity, last, lanes, x + i, w + i, h, sum + i);
+  else
+    for (int i = 0; i < lanes; ++i) weighted_of<double>(of_velocity, last, lanes, x + i, w + i, h, sum + i);
+}
+
 /// log2(2^e m) = e + 1/2 + 2/ln 2 artanh t,   t = (m - sqrt 2) / (m + sqrt 2),   1 <= m < 2;   |t| < 0.172, so that
 /// the first term left out of artanh is below 1e-12.
 inline void log2(int lanes, const double* __restrict x, double* __restrict log) {
@@ -164,8 +198,8 @@ inline void bound(int lanes, const double* __restrict a, const double* __restric
   }
 }
 
-const EnsembleLanes ensemble{&scale,   &scale_two, &extend,   &smaller, &multiply,
-                             &largest, &horner,    &subtract, &log2,    &bound};
+const EnsembleLanes ensemble{&scale,  &scale_two, &extend,   &smaller, &multiply, &largest,
+                             &horner, &weighted,  &subtract, &log2,    &bound};
 
 }  // namespace JETLAG_INSTRUCTION_SET_NAME
 #endif

@@ -52,12 +52,6 @@ void add_product(double s, const Coordinates<double>& slope, Coordinates<double>
   }
 }
 
-/// What is known of a law before any term is.
-TruncationLaw known_beforehand(const Truncation& law) {
-  const auto* sequential = std::get_if<SequentialLaw>(&law);
-  return sequential != nullptr ? sequential->lower_bound() : std::get<TruncationLaw>(law);
-}
-
 std::optional<SequentialLaw> sequential_part(const Truncation& law) {
   const auto* sequential = std::get_if<SequentialLaw>(&law);
   return sequential != nullptr ? std::optional(*sequential) : std::nullopt;
@@ -235,6 +229,13 @@ double RandomTaylor::step(State<double>& state, double limit, Report& report) {
     for (std::size_t i = 0; i < degree_.size(); ++i) work_.degrees += fixed_[i] ? 0 : degree_[i];
   }
   return h;
+}
+
+void RandomTaylor::exchange(Member& member) {
+  std::swap(options_.seed, member.seed);
+  std::swap(update_, member.update);
+  std::swap(control_, member.control);
+  time_unit_ = 1;
 }
 
 Piece RandomTaylor::piece() const {

@@ -9,12 +9,13 @@
 
 #include "jetlag/output/files.hpp"
 #include "jetlag/output/pictures.hpp"
+#include "output/axes.hpp"
 #include "output/film.hpp"
 #include "output/gnuplot.hpp"
 
 namespace jetlag {
 
-namespace {
+namespace axes {
 
 const std::string style = fmt::format(
     "set datafile separator comma\n"
@@ -34,6 +35,12 @@ std::string heading(const std::string& title) {
       "set label {} at screen 0.02, screen 0.94 font ',24' textcolor rgb 0x{:06x} noenhanced\n",
       gnuplot::quoted(title), ink.code());
 }
+
+}  // namespace axes
+
+using axes::heading, axes::label, axes::style;
+
+namespace {
 
 /// One curve of data.csv.
 std::string curve(int column, const std::string& title, const Colour& colour, double thickness) {

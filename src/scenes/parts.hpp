@@ -39,6 +39,7 @@ Draw read_draws(const Value& integrator, const Truncation& law, bool shared_draw
 /// "integrator", "control" and "schedule" together.
 struct Method {
   std::function<std::unique_ptr<Schedule>()> schedule;
+  std::optional<SeriesMethod> series;
   std::uint64_t max_steps;
   int threads;
   std::optional<double> fixed_step;

@@ -116,6 +116,7 @@ struct IntegratorFactory {
   std::function<std::unique_ptr<Integrator>()> make;
   double mean_orders;
   int largest_degree;
+  std::optional<SeriesMethod> series{};
 };
 
 struct MethodArguments {
@@ -125,12 +126,6 @@ struct MethodArguments {
   std::uint64_t seed;
   int threads;
 };
-
-/// The law before any term is known: of a sequential one its lower bound.
-TruncationLaw known_beforehand(const Truncation& law) {
-  const auto* sequential = std::get_if<SequentialLaw>(&law);
-  return sequential != nullptr ? sequential->lower_bound() : std::get<TruncationLaw>(law);
-}
 
 IntegratorFactory series_method(const MethodArguments& arguments, Truncation law, bool shared_draw,
                                 Draw draws) {
@@ -147,7 +142,7 @@ IntegratorFactory series_method(const MethodArguments& arguments, Truncation law
   return {[system = arguments.system, law, model, options] {
             return std::make_unique<RandomTaylor>(*system, law, model->clone(), options);
           },
-          orders, known.max_degree()};
+          orders, known.max_degree(), SeriesMethod{law, options, model}};
 }
 
 IntegratorFactory read_taylor(const MethodArguments& arguments) {
@@ -221,6 +216,7 @@ Method read_method(const Value& scene, std::shared_ptr<const System<double>> sys
   if (control.at("type").text() == "fixed" && !control.has("courant"))
     fixed_step = control.at("step").number(positive);
   return {[make = method.make] { return std::make_unique<Lockstep>(make()); },
+          method.series,
           static_cast<std::uint64_t>(max_steps),
           threads,
           fixed_step,

@@ -73,6 +73,7 @@ Scene read(Json json, const std::filesystem::path& folder) {
   scene.initial = std::move(particles.state);
   scene.system = std::move(system);
   scene.schedule = std::move(method.schedule);
+  scene.series = std::move(method.series);
   scene.max_steps = method.max_steps;
   scene.threads = method.threads;
   scene.fixed_step = method.fixed_step;

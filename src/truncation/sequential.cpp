@@ -54,4 +54,9 @@ SequentialLaw sequential(int min_degree, int max_degree, double target, double l
   return {"sequential", min_degree, max_degree, least, roulette};
 }
 
+TruncationLaw known_beforehand(const Truncation& law) {
+  const auto* sequential = std::get_if<SequentialLaw>(&law);
+  return sequential != nullptr ? sequential->lower_bound() : std::get<TruncationLaw>(law);
+}
+
 }  // namespace jetlag

@@ -10,6 +10,7 @@ class FixedStep final : public Control {
  public:
   /// step [s], > 0.
   explicit FixedStep(double step) : step_(step) { require_positive("step", step); }
+  double step() const { return step_; }
   int orders_read(const TruncationLaw&, VelocitySeries) const override { return 0; }
   double propose(const Prospect&) override { return step_; }
   std::unique_ptr<Control> clone() const override { return std::make_unique<FixedStep>(*this); }

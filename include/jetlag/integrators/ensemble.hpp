@@ -13,7 +13,6 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <mutex>
 #include <vector>
 
 #include "jetlag/motion/outcome.hpp"
@@ -22,6 +21,8 @@
 #include "jetlag/tape/workers.hpp"
 
 namespace jetlag {
+
+struct SystemLanes;
 
 /// Taylor's method of a fixed degree with the step of Jorba and Zou (control/jorba_zou.hpp), as `taylor` with `JorbaZou`,
 /// to rounding. A trajectory has the same bits in any company and for any number of workers, as long as the blocks
@@ -56,28 +57,25 @@ class Ensemble {
   /// The steps of all trajectories.
   std::uint64_t steps() const;
   /// (element, order) pairs of these steps: elements x degree for each, idle lanes not counted.
-  std::uint64_t element_coefficients() const { return steps() * elements_ * degree_; }
+  std::uint64_t element_coefficients() const;
 
  private:
   struct Workspace;
 
-  std::size_t blocks() const { return (count_ + table_->lanes - 1) / table_->lanes; }
-  double* rows(AlignedVector<double>& of, std::size_t block) const {
-    return of.data() + block * components_ * table_->lanes;
-  }
+  struct Workspaces;
+
+  std::size_t blocks() const;
+  double* rows(AlignedVector<double>& of, std::size_t block) const;
   void advance(std::size_t block, double until, Workspace& work);
-  void grow(const double* time, Workspace& work) const;
   void choose_steps(Workspace& work) const;
 
-  int particles_, dimension_, components_, degree_;
-  std::size_t count_, elements_ = 0;
+  std::shared_ptr<const SystemLanes> system_;
+  int degree_;
+  std::size_t count_;
   double max_step_;
   Workers workers_;
+  std::shared_ptr<Workspaces> workspaces_;
   const KernelTable<double>* table_;
-  std::vector<double> inverse_mass_;  // of each component; 0: fixed
-  Program program_;
-  std::vector<Place> series_;  // of each component of the positions
-  bool reads_velocity_ = false;
   AlignedVector<double> position_, velocity_, time_;  // [block][component][lane], time [block][lane]
   std::vector<Outcome> outcome_;
   std::vector<std::uint64_t> steps_;

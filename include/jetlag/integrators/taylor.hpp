@@ -56,6 +56,14 @@ class RandomTaylor final : public Integrator {
   Piece piece() const override;
   const Work& work() const override { return work_; }
 
+  /// What a trajectory has of its own besides its state.
+  struct Member {
+    std::uint64_t seed = 1, update = 0;  // of the draws
+    std::unique_ptr<Control> control;
+  };
+  /// Goes on as another trajectory of the same system; `member` is then the one so far. The work is that of all.
+  void exchange(Member& member);
+
  private:
   void draw();
   void roulette(double h, const State<double>& state);

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "jetlag/integrators/random_ensemble.hpp"
 #include "jetlag/motion/system.hpp"
 #include "jetlag/output/shape.hpp"
 #include "jetlag/schedule/schedule.hpp"
@@ -40,6 +41,9 @@ struct Scene {
 
   /// A new schedule with its integrator and control, before its first update.
   std::function<std::unique_ptr<Schedule>()> schedule;
+
+  /// What taylor and random_taylor are made of; nothing for other integrators.
+  std::optional<SeriesMethod> series;
 
   /// For `check`: the step, when it is the same every time, and the orders of the series that a step needs on average.
   std::optional<double> fixed_step;

@@ -62,4 +62,7 @@ SequentialLaw sequential(int min_degree, int max_degree, double target, double l
 /// Where a series is stopped: by a law known beforehand, or in view of its terms.
 using Truncation = std::variant<TruncationLaw, SequentialLaw>;
 
+/// The law before any term is known: of a sequential one its lower bound.
+TruncationLaw known_beforehand(const Truncation& law);
+
 }  // namespace jetlag

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Running a scene many times at once: an ensemble.
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "jetlag/output/ensemble_table.hpp"
+#include "jetlag/scenes/scene.hpp"
+
+namespace jetlag {
+
+struct EnsembleOptions {
+  int members = 1000;
+  int threads = 1;  // the result does not depend on their number
+  double perturbation =
+      0;  // [m], standard deviation of normal numbers added to the initial positions of moving particles
+  bool velocities = false;  // whether velocities are quantities too
+  std::string
+      watch;  // PARTICLE or PARTICLE.COMPONENT (x, y, z): what the picture shows; empty: what spreads most
+};
+
+struct EnsembleHooks {
+  std::function<bool()> go_on;  // asked now and then, by any thread; false ends the run
+  std::function<void(double time, double until)> after_frame;  // [s]
+};
+
+/// Runs the members of a scene from frame to frame and keeps what they amount to at each, on the polynomials of the
+/// motion: nothing else is kept. Member i draws with member_seed(scene.seed, i). Beside them run the reference and the run of a fixed
+/// degree that Calibration speaks of.
+/// A member that fails is left out from then on; the ensemble fails when all have.
+/// Throws SceneError naming the option or the key: a scene whose members would all be the same, an integrator that is not a
+/// series, a fixed step longer than from frame to frame, a number out of range, what does not exist or does not fit into memory.
+EnsembleResult run_ensemble(const Scene& scene, const EnsembleOptions& options,
+                            const EnsembleHooks& hooks = {});
+
+/// As above, and leaves in `folder`: scene.json, ensemble.csv, ensemble.json and where gnuplot is there ensemble.svg.
+/// What an earlier run left there under these names is replaced. warnings: what could not be drawn.
+/// Throws std::runtime_error naming a file that cannot be written.
+EnsembleResult run_ensemble_into(const Scene& scene, const EnsembleOptions& options,
+                                 const std::filesystem::path& folder, const EnsembleHooks& hooks,
+                                 std::vector<std::string>& warnings);
+
+}  // namespace jetlag

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "studies/ensemble_command.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <thread>
+
+#include "jetlag/scenes/run_ensemble.hpp"
+#include "jetlag/tape/kernels.hpp"
+#include "studies/command_line.hpp"
+
+namespace jetlag {
+
+namespace {
+
+struct Arguments {
+  SceneArguments scene;
+  EnsembleOptions options;
+  std::filesystem::path folder;
+  bool quiet = false;
+};
+
+void print(const EnsembleResult& result, const std::filesystem::path& folder) {
+  const EnsembleFrame& last = result.frames.back();
+  std::printf(
+      "%s: %s at t = %.10g s, %zu of %zu members, %llu steps, mean degree %.3g, %.3g s, %d thread%s%s\n",
+      folder.string().c_str(), to_string(result.outcome), last.time, last.members, result.members,
+      static_cast<unsigned long long>(result.work.steps), result.work.mean_degree(), result.wall_seconds,
+      result.threads, result.threads == 1 ? "" : "s", result.in_lanes ? ", in lanes" : "");
+  const Calibration c = over_time(result);
+  const auto row = [&](const char* what, double value) {
+    std::printf("  %-34s", what);
+    if (std::isfinite(value))
+      std::printf("%10.3g m", value);
+    else
+      std::printf("%10s", "not known");
+    if (value != c.spread && value > 0 && c.spread > 0) std::printf("   spread / it %8.3g", c.spread / value);
+    std::printf("\n");
+  };
+  row("spread of the members", c.spread);
+  row("true error of the members", c.member_error);
+  row("true error of their mean", c.mean_error);
+  row(("true error of fixed degree " + std::to_string(result.deterministic_degree)).c_str(),
+      c.deterministic_error);
+  std::printf("  (root mean squares over the positions of all moving particles at all frames)\n");
+  for (const char* name : {"ensemble.json", "ensemble.csv", "ensemble.svg", "scene.json"})
+    if (std::filesystem::exists(folder / name)) std::printf("  %s\n", (folder / name).string().c_str());
+}
+
+int run(const Arguments& arguments) {
+  const Scene scene = arguments.scene.load();
+  kernels<double>();  // a wrong JETLAG_INSTRUCTION_SET is bad input: said before anything is written
+  std::filesystem::path folder = arguments.folder;
+  if (folder.empty())
+    folder = std::filesystem::path("out") /
+             (std::filesystem::path(arguments.scene.scene).stem().string() + "_ensemble");
+  stop_in_good_order();
+  std::vector<std::string> warnings;
+  EnsembleResult result;
+  {
+    ProgressLine line(arguments.quiet);
+    EnsembleHooks hooks;
+    hooks.go_on = [] { return !stop_requested(); };
+    hooks.after_frame = [&](double time, double until) {
+      line.show(time, until, static_cast<std::uint64_t>(arguments.options.members), "members");
+    };
+    result = run_ensemble_into(scene, arguments.options, folder, hooks, warnings);
+  }
+  if (!arguments.quiet) print(result, folder);
+  if (!result.reference_message.empty()) warnings.push_back("the reference " + result.reference_message);
+  if (!result.deterministic_message.empty())
+    warnings.push_back("the run of fixed degree " + std::to_string(result.deterministic_degree) + ' ' +
+                       result.deterministic_message);
+  if (result.outcome == Outcome::success && !result.failures.empty())
+    warnings.push_back(std::to_string(result.failures.size()) + " of " + std::to_string(result.members) +
+                       " members failed and are left out from then on; the first: " +
+                       result.failures.front().report.message);
+  for (const std::string& warning : warnings) std::fprintf(stderr, "jetlag: %s\n", warning.c_str());
+  if (result.outcome == Outcome::success) return 0;
+  std::fprintf(stderr, "jetlag: %s: %s\n", to_string(result.outcome), result.message.c_str());
+  return not_finished;
+}
+
+}  // namespace
+
+void add_ensemble(CLI::App& app, std::optional<Study>& chosen) {
+  auto* command = app.add_subcommand("ensemble", "run many members of a scene and say how they spread");
+  auto arguments = std::make_shared<Arguments>();
+  EnsembleOptions& options = arguments->options;
+  options.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  arguments->scene.add_to(*command);
+  command->add_option("--members", options.members, "number of members")->capture_default_str();
+  command->add_option("--threads", options.threads, "threads; the result does not depend on their number")
+      ->capture_default_str();
+  command->add_option("--watch", options.watch,
+                      "what the picture shows: PARTICLE or PARTICLE.COMPONENT, 17.y");
+  command->add_option("--perturb", options.perturbation, "standard deviation of the initial positions [m]");
+  command->add_flag("--velocities", options.velocities, "velocities in ensemble.csv too");
+  command->add_option("--out", arguments->folder, "folder for the results (default: out/SCENE_ensemble)");
+  command->add_flag("--quiet", arguments->quiet, "no progress, no report");
+  command->callback([&chosen, arguments] { chosen = [arguments] { return run(*arguments); }; });
+}
+
+}  // namespace jetlag
