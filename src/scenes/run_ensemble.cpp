@@ -170,7 +170,6 @@ class EnsembleRun {
  public:
   EnsembleRun(const Scene& scene, const EnsembleOptions& options, const EnsembleHooks& hooks)
       : scene_(scene),
-        options_(options),
         hooks_(hooks),
         series_(series_of(scene, options)),
         workers_(options.threads),
@@ -306,7 +305,6 @@ class EnsembleRun {
   }
 
   const Scene& scene_;
-  const EnsembleOptions& options_;
   const EnsembleHooks& hooks_;
   const SeriesMethod& series_;
   Workers workers_;
