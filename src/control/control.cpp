@@ -19,7 +19,8 @@ struct Continuation {
         if (c(k - back) > 0.0) return std::pow(c(k) / c(k - back), 1.0 / back);
       return 0.0;
     };
-    ratio = std::max(rate(r), rate(r - 1));
+    const double before = rate(r - 1);
+    ratio = c(r) > 0.5 * before * c(r - 1) ? rate(r) : before;
     size = std::max(c(r), ratio * c(r - 1));
   }
   /// |c_k| s^k for k = r + i.

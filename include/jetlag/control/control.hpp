@@ -62,9 +62,10 @@ inline double largest(const CoefficientView<double>& coefficient) {
 /// series has ended where two coefficients in a row vanish, and the second one of free fall does not.
 ///
 /// So the choice of a step does not make the rare high orders be computed. They are continued from those that are read,
-///     |c_{r+i}| ~ max(|c_r|, q |c_{r-1}|) q^i,      q = max((|c_r| / |c_{r-2}|)^{1/2}, (|c_{r-1}| / |c_{r-3}|)^{1/2}),
+///     |c_{r+i}| ~ max(|c_r|, q |c_{r-1}|) q^i,      q = q_r,  or q_{r-1} where |c_r| < q_{r-1} |c_{r-1}| / 2,
+///     q_k = (|c_k| / |c_{k-2}|)^{1/2},
 /// |.| the largest component over all particles: exact for a geometric series, too large for one that decays faster, and
-/// for an oscillation the same at every phase.
+/// not misled by an order that vanishes at some phase of an oscillation.
 int orders_for_errors(const TruncationLaw& law);
 
 /// The largest variance of a component of a position at step h, over all particles: max_i Var g_i(h) [m^2].
