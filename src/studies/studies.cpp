@@ -4,6 +4,7 @@
 #include "studies/long_runs.hpp"
 #include "studies/paper_table.hpp"
 #include "studies/reference_table.hpp"
+#include "studies/ruler_table.hpp"
 
 namespace jetlag {
 
@@ -13,6 +14,7 @@ void add_studies(CLI::App& app, std::optional<Study>& chosen) {
   add_paper_table(*study, chosen);
   add_reference_table(*study, chosen);
   add_long_runs(*study, chosen);
+  add_ruler_table(*study, chosen);
 }
 
 }  // namespace jetlag
