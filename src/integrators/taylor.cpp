@@ -233,6 +233,7 @@ double RandomTaylor::step(State<double>& state, double limit, Report& report) {
 
 void RandomTaylor::exchange(Member& member) {
   std::swap(options_.seed, member.seed);
+  draws_.reseed(options_.seed);
   std::swap(update_, member.update);
   std::swap(control_, member.control);
   time_unit_ = 1;

@@ -5,6 +5,7 @@
 #include "studies/paper_figures.hpp"
 #include "studies/paper_table.hpp"
 #include "studies/reference_table.hpp"
+#include "studies/ruler_table.hpp"
 #include "studies/speed_against_error.hpp"
 #include "studies/stability.hpp"
 
@@ -19,6 +20,7 @@ void add_studies(CLI::App& app, std::optional<Study>& chosen) {
   add_long_runs(*study, chosen);
   add_speed_against_error(*study, chosen);
   add_stability(app, chosen);
+  add_ruler_table(*study, chosen);
 }
 
 }  // namespace jetlag

@@ -300,7 +300,8 @@ TEST(BadCommandLine, ExitsWithTwo) {
                                 "study paper_table --rows 9",
                                 "study paper_table --mesh nowhere.mesh",
                                 "study kepler --periods 0",
-                                "study brouwer --runs many"}) {
+                                "study brouwer --runs many",
+                                "study ruler --seeds 0"}) {
     const Ended run = program(arguments, folder.path());
     EXPECT_EQ(run.exit_code, 2) << arguments << ": " << run.output;
     EXPECT_FALSE(run.output.empty());

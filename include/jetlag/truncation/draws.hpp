@@ -75,6 +75,9 @@ class Draws {
   /// Throws std::invalid_argument: see Ruler; a ruler for a law that is not known beforehand; strata of one.
   Draws(Draw kind, const TruncationLaw* law, std::uint64_t seed, std::uint32_t particles);
 
+  /// Goes on with the draws of another seed.
+  void reseed(std::uint64_t seed) { seed_ = seed; }
+
   /// u on (0, 1]. Not for rulers.
   double number(std::uint32_t particle, std::uint64_t update) const;
 
