@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <numbers>
+
 namespace jetlag {
 
 namespace {
@@ -16,32 +19,61 @@ Competitor fixed(int degree) {
       "fixed degree", fmt::format("degree {}", degree), {{"type", "taylor"}, {"degree", degree}}, fixed_step};
 }
 
-/// The geometric law up to degree 16.
-Competitor geometric(const char* draws, int m, double p) {
-  return {draws,
-          fmt::format("({},16,{:.4g}) {}", m, p, draws),
-          {{"type", "random_taylor"},
-           {"min_degree", m},
-           {"max_degree", 16},
-           {"probability", p},
-           {"draws", draws}},
-          fixed_step,
-          true};
+Competitor random(const std::string& family, const std::string& name, int m, Json law_and_draws) {
+  Json integrator = {{"type", "random_taylor"}, {"min_degree", m}, {"max_degree", std::max(16, m + 8)}};
+  integrator.update(law_and_draws);
+  return {family, name, integrator, fixed_step, true};
+}
+
+/// The geometric law, drawn in one of several ways. base: 1 / (1-p).
+Competitor geometric(const std::string& draws, int m, double base) {
+  return random(draws, fmt::format("m = {}, 1/(1-p) = {:.4g}", m, base), m,
+                {{"probability", 1 - 1 / base}, {"draws", draws}});
 }
 
 }  // namespace
 
 std::vector<Competitor> competitors() {
   std::vector<Competitor> all;
-  for (int degree : {2, 3, 4, 5, 6, 7, 8, 10, 12, 16}) all.push_back(fixed(degree));
-  for (const char* draws : {"independent"})
-    for (int m : {3, 4, 6}) all.push_back(geometric(draws, m, 0.5));
-  all.push_back({"jorba_zou",
-                 "degree 20, step chosen",
+  for (int degree : {2, 3, 4, 5, 6, 7, 8, 10, 12, 16, 20}) all.push_back(fixed(degree));
+
+  // Draws of one law. m + 1 orders on average for base 2: compare with the fixed degree m + 1.
+  const double golden = std::numbers::phi * std::numbers::phi;
+  for (const char* draws : {"independent", "antithetic", "scrambled_ruler", "ruler"})
+    for (int m : {3, 4, 5, 6, 8, 10}) all.push_back(geometric(draws, m, 2));
+  for (int m : {3, 4, 5, 6, 8, 10}) all.push_back(geometric("ruler", m, 5));
+  for (int m : {3, 4, 5, 6, 8, 10}) all.push_back(geometric("rotation", m, golden));
+
+  // Other laws of the same mean, m + 1.
+  for (int m : {3, 4, 6, 8}) {
+    all.push_back(
+        random("poisson", fmt::format("m = {}, mean 1", m), m, {{"law", "poisson"}, {"mean", 1.0}}));
+    all.push_back(random("single term", fmt::format("m = {}, p = .5", m), m,
+                         {{"law", "single_term"}, {"probability", 0.5}}));
+  }
+  for (double target : {1e-4, 1e-7, 1e-10})
+    all.push_back(random("sequential", fmt::format("m = 3, target {:.0e}", target), 3,
+                         {{"law", "sequential"}, {"target", target}}));
+
+  // Steps that are chosen.
+  all.push_back({"steps chosen, degree 20",
+                 "jorba_zou",
                  {{"type", "taylor"}, {"degree", 20}},
                  {{"type", "jorba_zou"}},
                  false,
                  false});
+  for (int m : {3, 6})
+    for (int digits : {3, 5, 7, 9}) {
+      const double tolerance = std::pow(10.0, -digits);
+      Competitor adaptive = random("variance control", fmt::format("m = {}, tolerance {:.0e}", m, tolerance),
+                                   m, {{"probability", 0.5}});
+      adaptive.control = {{"type", "variance"},
+                          {"step", 1e-3},
+                          {"tolerance_random", tolerance},
+                          {"tolerance_bias", tolerance}};
+      adaptive.has_step = false;
+      all.push_back(adaptive);
+    }
   return all;
 }
 

@@ -14,7 +14,6 @@ struct Competitor {
   nlohmann::ordered_json integrator, control;
   bool random = false;   // differs from seed to seed
   bool has_step = true;  // control.step is to be filled in
-  double tolerance = 0;  // where it has not: of the control, for the name
 };
 
 std::vector<Competitor> competitors();
