@@ -40,13 +40,15 @@ double antithetic(std::uint64_t seed, std::uint32_t particle, std::uint64_t upda
 double stratified(std::uint64_t seed, std::uint32_t particle, std::uint64_t update, std::uint32_t particles);
 
 /// Ruler: van der Corput's sequence in the base of the law, by its digits. With P(K >= n-1) / P(K >= n) = b_n, whole numbers
-/// for all n > m, K = m + the number of trailing zeros of (offset + update), a number with digits of base b_{m+1}, b_{m+2} ..,
+/// for all n > m, K = m + the number of trailing zeros of (update - offset), a number with digits of base b_{m+1}, b_{m+2} ..,
 /// one random offset a particle. So every b_{m+1}-th update reaches m+1, of these every b_{m+2}-th m+2, and so on.
 ///
 /// Each term is an impulse applied b^i times stronger every b^i updates, and as those of subcycling, impulses resonate with
 /// motions whose period is a whole number, or nearly, of b^i updates: then errors grow as those of a fixed degree do.
-/// `scrambled` avoids it: in each block of b_{m+1} updates, the one that goes on stands at a random place, and so in each block
-/// of such blocks. Sums over whole blocks stay exact; but independent places let a small rest of the error walk at random.
+/// `scrambled` does not: in each block of b_{m+1} updates, the one that goes on stands at a random place, and so in each
+/// block of such blocks. Counts over whole blocks stay exact, but errors walk at random again: of the planet of `study ruler`,
+/// at 120 steps a period, base 2: 2.3e-6 after 1000 periods, independent draws 8e-6, the resonating ruler 2.6e-7. A base that
+/// does not divide the steps of a period is the better remedy (3: 1.9e-8).
 /// Source: van der Corput 1935; Owen 1995 (nested scrambling).
 class Ruler {
  public:
