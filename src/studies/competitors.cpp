@@ -28,7 +28,7 @@ Competitor random(const std::string& family, const std::string& name, int m, Jso
 /// The geometric law, drawn in one of several ways. base: 1 / (1-p).
 Competitor geometric(const std::string& draws, int m, double base) {
   return random(draws, fmt::format("m = {}, 1/(1-p) = {:.4g}", m, base), m,
-                {{"probability", 1 - 1 / base}, {"draws", draws}});
+                {{"base", base}, {"draws", draws}});
 }
 
 }  // namespace

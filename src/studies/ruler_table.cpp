@@ -51,7 +51,8 @@ std::vector<Row> rows(int n) {
   return rows;
 }
 
-/// The place at time t of a planet that was in the pericentre at 0.         Source: Kepler's equation, by Newton's rule.
+/// The place at time t of a planet that was in the pericentre at 0.         Source: Kepler's equation, by Newton's
+/// rule.
 Eigen::RowVector2d place(double e, double t) {
   const double mean = std::remainder(t, 2 * std::numbers::pi);
   double anomaly = mean;

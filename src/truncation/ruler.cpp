@@ -19,18 +19,14 @@ Ruler::Ruler(const TruncationLaw& law, bool scrambled) : min_(law.min_degree()),
   }
 }
 
-/// offset + update is added digit by digit, as far as digits of 0 go, so that no number is too large. The digits of the
-/// offset are random. Of a block of b, the one that goes on is that with digit 0, or with a digit of its own where `scrambled`.
+/// update - offset ends in as many zeros as there are last digits in which the two agree. The digits of the offset are
+/// random, each for itself, so that no number is too large; `scrambled` has other ones in each block.
 int Ruler::degree(std::uint64_t seed, std::uint32_t particle, std::uint64_t update) const {
   int k = min_;
-  std::uint64_t rest = update;  // with the carry: what is to be added to the digits from here on
   for (std::uint32_t i = 0; i < bases_.size(); ++i, ++k) {
-    const std::uint64_t b = bases_[i],
-                        sum = below(b, random_bits(seed, particle, 0, Stream::digit, i)[0]) + rest % b;
-    rest = rest / b + sum / b;
-    const std::uint64_t place =
-        scrambled_ ? below(b, random_bits(seed, particle, rest, Stream::place, i)[0]) : 0;
-    if (sum % b != place) break;
+    const std::uint64_t b = bases_[i], digit = update % b;
+    update /= b;  // the number of the block of b, or of b blocks
+    if (digit != below(b, random_bits(seed, particle, scrambled_ ? update : 0, Stream::digit, i)[0])) break;
   }
   return k;
 }

@@ -6,8 +6,8 @@ namespace jetlag {
 
 namespace {
 
-/// A permutation of 0 .. n-1 by key: four rounds on two halves of the smallest 4^j >= n, repeated until the result is below n.
-/// Source: Luby, Rackoff 1988 (the rounds); Black, Rogaway 2002 (cycle walking).
+/// A permutation of 0 .. n-1 by key: four rounds on two halves of the smallest 4^j >= n, repeated until the result is
+/// below n. Source: Luby, Rackoff 1988 (the rounds); Black, Rogaway 2002 (cycle walking).
 std::uint32_t permuted(std::uint32_t x, std::uint32_t n, std::uint64_t seed, std::uint64_t update) {
   int half = 1;
   while ((std::uint64_t{1} << (2 * half)) < n) ++half;

@@ -16,7 +16,8 @@ struct Pool {
   double slope() const { return nu / cost; }
 };
 
-/// sqrt(nu_n / t_n), n = 1 .. N, pooled until it does not rise.         Source: pool adjacent violators, Ayer et al. 1955.
+/// sqrt(nu_n / t_n), n = 1 .. N, pooled until it does not rise.         Source: pool adjacent violators, Ayer et al.
+/// 1955.
 std::vector<double> falling_shape(std::span<const double> nu, std::span<const double> increments) {
   std::vector<Pool> pools;
   for (std::size_t n = 1; n < nu.size(); ++n) {

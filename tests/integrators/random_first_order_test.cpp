@@ -23,8 +23,8 @@ std::vector<double> end_of(FirstOrderTaylor<>& method) {
   return state.y;
 }
 
-/// Root mean square distance from the solution at t = 1, and distance of the mean from it. One method makes all runs: its
-/// updates are counted on, and their draws are independent.
+/// Root mean square distance from the solution at t = 1, and distance of the mean from it. One method makes all runs:
+/// its updates are counted on, and their draws are independent.
 struct Misses {
   double mean_square, mean;
 };
@@ -56,8 +56,8 @@ TEST(RandomFirstOrderTaylor, HasMeanSquareOrderOneHalfAboveItsLeastDegree) {
 }
 
 TEST(RandomFirstOrderTaylor, HasTheWeakOrderOfTwiceItsLeastDegreeAndOne) {
-  // m = 1: order 3 of the mean, where single runs have 1.5. Over 40000 runs the means are known to 6 and to 20 %, and the
-  // slope to 0.3; finer steps drown in the scatter.
+  // m = 1: order 3 of the mean, where single runs have 1.5. Over 40000 runs the means are known to 6 and to 20 %, and
+  // the slope to 0.3; finer steps drown in the scatter.
   const double slope = std::log2(misses(1, 4, 0x1p-4, 40'000).mean / misses(1, 4, 0x1p-5, 40'000).mean);
   EXPECT_GT(slope, 2.5) << "seed 1";
   EXPECT_LT(slope, 4.5) << "seed 1";
@@ -78,7 +78,8 @@ TEST(RandomFirstOrderTaylor, ComputesTheOrdersItDrawsAndNoMore) {
 }
 
 TEST(RandomFirstOrderTaylor, IsUnbiasedInAStepForASequentialLaw) {
-  // Given the state the law is that of its terms' sizes: the mean of first steps is Taylor's degree 10, with its variance.
+  // Given the state the law is that of its terms' sizes: the mean of first steps is Taylor's degree 10, with its
+  // variance.
   const SequentialLaw law = sequential(2, 10, 1e-2, 0.1);
   const double h = 0.25;
   FirstOrderExpansion<> series(fitzhugh_nagumo, 2);

@@ -29,7 +29,8 @@ struct HardeningSpring {
   }
 };
 
-/// q_i = .1 sin(2 pi i / 33) + .02 sin(9 pi i / 33) at rest; particles 0 and 33 are the walls. Displacements, not places.
+/// q_i = .1 sin(2 pi i / 33) + .02 sin(9 pi i / 33) at rest; particles 0 and 33 are the walls. Displacements, not
+/// places.
 Scene chain() {
   System<double> system(1, std::vector<double>(34, 1.0));
   system.fix(0);

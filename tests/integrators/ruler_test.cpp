@@ -83,8 +83,9 @@ TEST(RotationOnAPlanet, KeepsEnergyTwiceAsWellAsDegreeSevenForLessWork) {
 TEST(RulerOnAPlanet, ResonatesWhereItsBaseDividesTheStepsOfAPeriod) {
   // 8 and 5 divide 120: the strong impulses come at the same points of every orbit, and energy runs away.
   for (int base : {2, 5}) {
-    const Errors e = errors(ruler_law(base), Draw::ruler, 120, 200, 4);
-    EXPECT_NEAR(e.energy / e.energy_at_half, 2.0, 0.02) << "base " << base << ", seeds 1 .. 4";
+    const Errors e = errors(ruler_law(base), Draw::ruler, 120, 1000, 4);
+    // What runs is 6e-8 and more, what does not some 1e-8 at either time, of any sign.
+    EXPECT_NEAR(e.energy / e.energy_at_half, 2.0, 0.2) << "base " << base << ", seeds 1 .. 4";
   }
 }
 

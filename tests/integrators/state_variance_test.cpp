@@ -78,7 +78,8 @@ TEST(RandomEnergy, IsWhatAnOscillatorGainsInTheMean) {  // quadratic: exact
 }
 
 TEST(RandomEnergy, AddsThePublishedEnergyToAnOscillator) {
-  // (3, 6, 1/2) at y = .1, relative: y^8 (1/576 + 1/2880), less y^8/2880 by which T_6 grows itself; the next order in y is 1 %.
+  // (3, 6, 1/2) at y = .1, relative: y^8 (1/576 + 1/2880), less y^8/2880 by which T_6 grows itself; the next order in y
+  // is 1 %.
   const Scene scene = oscillator(1.0, 0.6, 0.8);
   Expansion<double> series(scene.system);
   series.start(scene.start);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every bad scene gives exit code 2 and a message that names the key, the value and what is allowed; nothing is written.
+// Every bad scene gives exit code 2 and a message that names the key, the value and what is allowed; nothing is
+// written.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

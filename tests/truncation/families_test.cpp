@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every law with every draw: unbiased over a million seeds, for one update as for the next; and what is special in how the
-// draws of one seed go together.
+// Every law with every draw: unbiased over a million seeds, for one update as for the next; and what is special in how
+// the draws of one seed go together.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Each truncation law: unbiased and with the variance of its closed form, by enumeration of its degrees; its own theorem.
+// Each truncation law: unbiased and with the variance of its closed form, by enumeration of its degrees; its own
+// theorem.
 
 #include "truncation/laws.hpp"
 
@@ -36,7 +37,8 @@ TEST(EveryLaw, IsUnbiasedForTheSumUpToItsLargestDegree) {
     double truth = 0, size = 0;
     for (int n = 0; n <= law.max_degree(); ++n) truth += terms[n];
     for (int k = 0; k <= law.max_degree(); ++k) size += law.exactly(k) * std::abs(g[k]);
-    // P(K = k) is a difference of numbers up to 1, off by eps, where weights are up to w: relative N w eps / (N w) terms.
+    // P(K = k) is a difference of numbers up to 1, off by eps, where weights are up to w: relative N w eps / (N w)
+    // terms.
     EXPECT_NEAR(mean_of(law, [&](int k) { return g[k]; }), truth, 40 * eps * std::max(size, 1.0))
         << law.name();
   }
@@ -126,8 +128,8 @@ TEST(VarianceCapped, HasThePublishedTailsForTheExponential) {
 }
 
 TEST(VarianceCapped, CannotBeMadeCheaperAtTheSameVariance) {
-  // Any two probabilities traded against each other at the same variance, to either side, cost more: a convex problem has
-  // no other minimum. Terms that do not fall evenly make it pool, and costs count.
+  // Any two probabilities traded against each other at the same variance, to either side, cost more: a convex problem
+  // has no other minimum. Terms that do not fall evenly make it pool, and costs count.
   const std::vector<double> terms = {1, 0.5, -0.3, 0.0, 0.2, 0.05, -0.08, 0.01, 0.002};
   for (const auto& cost : {linear_cost(8), quadratic_cost(8)}) {
     const double cap = 0.05;
@@ -201,8 +203,8 @@ TEST(Sequential, IsAskedWithWhatIsKnownAndNoMore) {
 }
 
 TEST(Sequential, KeepsWeightedTermsOfAGeometricSeriesAtOneSize) {
-  // c_n = r^n: of the last four terms a = c_{n-2}, b = c_{n-4}, sqrt(a / b) = r, e_n = c_{n-1}: what is kept at the target is
-  // w_n c_n / r. Up to where that falls below the target, all terms are taken.
+  // c_n = r^n: of the last four terms a = c_{n-2}, b = c_{n-4}, sqrt(a / b) = r, e_n = c_{n-1}: what is kept at the
+  // target is w_n c_n / r. Up to where that falls below the target, all terms are taken.
   const double r = 0.25, target = 1e-3;
   std::vector<double> terms(21);
   for (int n = 0; n <= 20; ++n) terms[n] = std::pow(r, n);

@@ -58,8 +58,8 @@ struct FirstOrderOptions {
   /// Steps of this length, > 0, in place of those of Jorba and Zou.
   std::optional<double> step{};
 
-  /// Stops the series at a random degree with weights that keep it unbiased; `degree` is then the largest of the law. With
-  /// `step` no order beyond the one drawn is computed. A sequential law sees the largest components of the terms.
+  /// Stops the series at a random degree with weights that keep it unbiased; `degree` is then the largest of the law.
+  /// With `step` no order beyond the one drawn is computed. A sequential law sees the largest components of the terms.
   std::optional<Truncation> law{};
   Draw draws = Draw::independent;
   std::uint64_t seed = 1;
@@ -156,7 +156,8 @@ class FirstOrderTaylor {
   }
 
   /// Moves the state to time `until` exactly, forwards or backwards; the time is a compensated sum of the steps. On any
-  /// outcome but success the state is the last good one. Throws std::invalid_argument for an `until` that is not finite.
+  /// outcome but success the state is the last good one. Throws std::invalid_argument for an `until` that is not
+  /// finite.
   Report run(FirstOrderState<T>& state, const T& until, const FirstOrderRunOptions<T>& options = {}) {
     if (!finite(until) || !finite(state.time))
       throw std::invalid_argument("run: until and the time of the state must be finite");

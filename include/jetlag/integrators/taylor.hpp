@@ -21,8 +21,8 @@ namespace jetlag {
 /// With a fixed degree all weights are 1: Taylor's method of order N.
 ///
 /// A sequential law sees the sizes of the terms of the positions, the largest component [m] of all particles or, with a
-/// draw for each, of its particle; it is asked after each order, and no order is computed that is not needed. Where the control
-/// reads the series, all are. What a control learns of a sequential law is its lower bound.
+/// draw for each, of its particle; it is asked after each order, and no order is computed that is not needed. Where the
+/// control reads the series, all are. What a control learns of a sequential law is its lower bound.
 class RandomTaylor final : public Integrator {
  public:
   struct Options {

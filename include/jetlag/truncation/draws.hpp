@@ -5,9 +5,9 @@
 // Invariants, tested for every member of the family:
 //   - a draw depends on (seed, particle, update) alone: the same key, the same number, whatever the order of execution;
 //   - over seeds, every single draw is uniform (on 2^53 points), so every update is unbiased.
-// They differ in how the draws of different updates or particles go together. Equidistributed ones make the debts and gifts
-// of successive updates, w_n - 1 for term n, cancel: what a fixed degree loses every step, and independent draws let walk,
-// stays bounded. But a regular draw may resonate with the motion: see ruler().
+// They differ in how the draws of different updates or particles go together. Equidistributed ones make the debts and
+// gifts of successive updates, w_n - 1 for term n, cancel: what a fixed degree loses every step, and independent draws
+// let walk, stays bounded. But a regular draw may resonate with the motion: see ruler().
 
 #include <cstdint>
 #include <optional>
@@ -39,18 +39,22 @@ double antithetic(std::uint64_t seed, std::uint32_t particle, std::uint64_t upda
 /// u_i = (s_i + v_i) / particles, s a random permutation, v_i uniform. particle < particles.
 double stratified(std::uint64_t seed, std::uint32_t particle, std::uint64_t update, std::uint32_t particles);
 
-/// Ruler: van der Corput's sequence in the base of the law, by its digits. With P(K >= n-1) / P(K >= n) = b_n, whole numbers
-/// for all n > m, K = m + the number of trailing zeros of (offset + update), a number with digits of base b_{m+1}, b_{m+2} ..,
-/// one random offset a particle. So every b_{m+1}-th update reaches m+1, of these every b_{m+2}-th m+2, and so on.
+/// Ruler: van der Corput's sequence in the base of the law, by its digits. With P(K >= n-1) / P(K >= n) = b_n, whole
+/// numbers for all n > m, K = m + the number of trailing zeros of (update - offset), a number with digits of base
+/// b_{m+1}, b_{m+2} .., one random offset a particle. So every b_{m+1}-th update reaches m+1, of these every b_{m+2}-th
+/// m+2, and so on.
 ///
-/// Each term is an impulse applied b^i times stronger every b^i updates, and as those of subcycling, impulses resonate with
-/// motions whose period is a whole number, or nearly, of b^i updates: then errors grow as those of a fixed degree do.
-/// `scrambled` avoids it: in each block of b_{m+1} updates, the one that goes on stands at a random place, and so in each block
-/// of such blocks. Sums over whole blocks stay exact; but independent places let a small rest of the error walk at random.
+/// Each term is an impulse applied b^i times stronger every b^i updates, and as those of subcycling, impulses resonate
+/// with motions whose period is a whole number, or nearly, of b^i updates: then errors grow as those of a fixed degree
+/// do. `scrambled` does not: in each block of b_{m+1} updates, the one that goes on stands at a random place, and so in
+/// each block of such blocks. Counts over whole blocks stay exact, but errors walk at random again: of the planet of
+/// `study ruler`, at 120 steps a period, base 2: 2.3e-6 after 1000 periods, independent draws 8e-6, the resonating
+/// ruler 2.6e-7. A base that does not divide the steps of a period is the better remedy (3: 1.9e-8).
 /// Source: van der Corput 1935; Owen 1995 (nested scrambling).
 class Ruler {
  public:
-  /// Throws std::invalid_argument for a law whose tail does not fall by whole numbers, naming the first probability at fault.
+  /// Throws std::invalid_argument for a law whose tail does not fall by whole numbers, naming the first probability at
+  /// fault.
   explicit Ruler(const TruncationLaw& law, bool scrambled = false);
 
   /// K, exactly distributed as the law for a random seed.

@@ -20,7 +20,8 @@ namespace jetlag {
 
 class SequentialLaw {
  public:
-  /// p_n in (0, 1], from the sizes |c_0| .. |c_{n-1}| of the terms known and the weight 1 / P_{n-1} of the last of them.
+  /// p_n in (0, 1], from the sizes |c_0| .. |c_{n-1}| of the terms known and the weight 1 / P_{n-1} of the last of
+  /// them.
   using Rule = std::function<double(int n, std::span<const double> sizes, double weight)>;
 
   /// 0 <= min_degree <= max_degree, max_degree >= 1. least: what the rule gives is raised to it, so that weights stay
@@ -53,8 +54,8 @@ class SequentialLaw {
 ///
 ///     p_n = min(1, w_{n-1} e_n / target),      e_n = a min(1, sqrt(a / b)),
 ///
-/// e_n: what the larger a of the last two terms says about the next, b that of the two before them (a series may have only
-/// even or only odd terms). target [unit of the terms], > 0.
+/// e_n: what the larger a of the last two terms says about the next, b that of the two before them (a series may have
+/// only even or only odd terms). target [unit of the terms], > 0.
 /// 1 <= min_degree <= max_degree; least: see SequentialLaw, 0.05 in 16 orders gives weights up to 1e20.
 /// Source: throughput roulette of light transport; the prediction is ours.   Throws std::invalid_argument.
 SequentialLaw sequential(int min_degree, int max_degree, double target, double least = 0.05);

@@ -11,14 +11,15 @@
 //
 // A law whose probabilities follow the terms as they become known is another type: truncation/sequential.hpp.
 //
-// Variance. A sum of N terms has a finite one for every law: weights are finite. But where the terms fall as (h / rho)^n,
-// rho the radius of convergence, those of the variance, S_n^2 / P(K >= n), go as ((h / rho)^2 P(K >= n-1) / P(K >= n))^n:
-// for a geometric law they fall only if
+// Variance. A sum of N terms has a finite one for every law: weights are finite. But where the terms fall as (h /
+// rho)^n, rho the radius of convergence, those of the variance, S_n^2 / P(K >= n), go as ((h / rho)^2 P(K >= n-1) / P(K
+// >= n))^n: for a geometric law they fall only if
 //
 //     h / rho < sqrt(1 - p).
 //
-// Beyond, the variance is that of the last term, grows without bound with N, and is infinite for N = infinity; a law whose
-// tail falls ever faster (Poisson) gets there for every h where the radius of convergence is finite: see largest_ratio().
+// Beyond, the variance is that of the last term, grows without bound with N, and is infinite for N = infinity; a law
+// whose tail falls ever faster (Poisson) gets there for every h where the radius of convergence is finite: see
+// largest_ratio().
 
 #include <span>
 #include <string>
@@ -78,9 +79,9 @@ class TruncationLaw {
 /// K = degree. degree >= 1.
 TruncationLaw fixed_degree(int degree);
 
-/// K = min(N, m + G), P(G = i) = p (1-p)^i:  P(K >= n) = (1-p)^(n-m) for m < n <= N.         Source: the paper, corrected.
-/// 1 <= m = min_degree <= N = max_degree; 0 < p < 1 (p = 0 or m = N: K = N; p = 1 is refused unless m = N: the
-/// terms above m would never be drawn).   Throws std::invalid_argument.
+/// K = min(N, m + G), P(G = i) = p (1-p)^i:  P(K >= n) = (1-p)^(n-m) for m < n <= N.         Source: the paper,
+/// corrected. 1 <= m = min_degree <= N = max_degree; 0 < p < 1 (p = 0 or m = N: K = N; p = 1 is refused unless m = N:
+/// the terms above m would never be drawn).   Throws std::invalid_argument.
 TruncationLaw geometric(int min_degree, int max_degree, double p);
 
 /// The expected cost of a sum, sum_{n=1..N} t_n P(K >= n), where order n costs t_n more than order n-1 did.
