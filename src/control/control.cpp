@@ -23,8 +23,8 @@ struct Continuation {
     ratio = c(r) > 0.5 * before * c(r - 1) ? rate(r) : before;
     size = std::max(c(r), ratio * c(r - 1));
   }
-  /// |c_k| s^k for k = r + i.
-  double term(int r, int k, double s) const { return size * std::pow(ratio, k - r) * std::pow(s, k); }
+  /// |c_k| s^k for k = r + i: where s^k alone overflows, as for motions of 1e-16 radians a second, this does not.
+  double term(int r, int k, double s) const { return size * std::pow(s, r) * std::pow(ratio * s, k - r); }
 };
 
 }  // namespace

@@ -25,10 +25,10 @@ Competitor random(const std::string& family, const std::string& name, int m, Jso
   return {family, name, integrator, fixed_step, true};
 }
 
-/// The geometric law, drawn in one of several ways. base: 1 / (1-p).
+/// The geometric law with 1 - p = 1 / base, drawn in one of several ways.
 Competitor geometric(const std::string& draws, int m, double base) {
   return random(draws, fmt::format("m = {}, 1/(1-p) = {:.4g}", m, base), m,
-                {{"base", base}, {"draws", draws}});
+                {{"probability", 1 - 1 / base}, {"draws", draws}});
 }
 
 }  // namespace

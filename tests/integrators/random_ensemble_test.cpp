@@ -167,13 +167,13 @@ TEST(RandomEnsemble, HasTheMeanAndTheVarianceOfALinearMotion) {
     generator << 0, 1, -1, 0;
     for (int k = 0; k <= 6; ++k) {
       if (k > 0) term = generator * term * (h / k);
-      const double weight = series.law.weight(k);
+      const double weight = known_beforehand(series.law).weight(k);
       step.row(0) += weight * term.row(0);
       if (velocity == VelocitySeries::own_series)
         step.row(1) += weight * term.row(1);
       else if (k > 0)  // n x_n h^(n-1)
         step.row(1) += weight * k / h * term.row(0);
-      const double p = series.law.at_least(k) - series.law.at_least(k + 1);
+      const double p = known_beforehand(series.law).exactly(k);
       mean += p * step;
       for (int a = 0; a < 2; ++a)
         for (int b = 0; b < 2; ++b) square.block<2, 2>(2 * a, 2 * b) += p * step(a, b) * step;
