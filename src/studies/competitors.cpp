@@ -35,7 +35,7 @@ Competitor geometric(const std::string& draws, int m, double base) {
 
 std::vector<Competitor> competitors() {
   std::vector<Competitor> all;
-  for (int degree : {2, 3, 4, 5, 6, 7, 8, 10, 12, 16, 20}) all.push_back(fixed(degree));
+  for (int degree : {2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 20}) all.push_back(fixed(degree));
 
   // Draws of one law. m + 1 orders on average for base 2: compare with the fixed degree m + 1.
   const double golden = std::numbers::phi * std::numbers::phi;

@@ -27,7 +27,7 @@ namespace {
 struct Arguments {
   std::vector<std::string> problems, scenes, families;
   std::filesystem::path folder = "out/speed_against_error";
-  int seeds = 8, steps = 6;
+  int seeds = 4, steps = 5;
 };
 
 /// All runs of one method at one step.

@@ -2,6 +2,7 @@
 #include "studies/stability.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -12,6 +13,7 @@
 
 #include "jetlag/output/files.hpp"
 #include "jetlag/scenes/error.hpp"
+#include "jetlag/truncation/poisson.hpp"
 #include "jetlag/truncation/stability.hpp"
 #include "output/colours.hpp"
 #include "output/gnuplot.hpp"
@@ -22,7 +24,8 @@ namespace {
 
 struct Arguments {
   int min = 3, max = 6;
-  double probability = 0.5;
+  double probability = 0.5, mean = 1.0;
+  std::vector<double> tail;
   std::string law = "geometric", velocity = "own_series";
   std::filesystem::path folder = "out/stability";
 };
@@ -37,8 +40,26 @@ constexpr std::array questions = {
     Question{Growth::almost_sure, "almost_sure", "almost sure, and the ruler"}};
 
 TruncationLaw law_of(const Arguments& arguments) {
+  if (arguments.law == "tail") {
+    if (arguments.tail.empty())
+      throw SceneError("--tail: must be given with --law tail: P(K >= 0), P(K >= 1), ...");
+    try {
+      return {"tail", arguments.tail};
+    } catch (const std::invalid_argument& error) {
+      throw SceneError(fmt::format("--tail: got {}; must be P(K >= 0) = 1, P(K >= 1), ... ({})",
+                                   fmt::join(arguments.tail, ","), error.what()));
+    }
+  }
+  if (!arguments.tail.empty()) throw SceneError("--tail: must be left out unless --law is tail");
   if (arguments.max < arguments.min)
     throw SceneError(fmt::format("--max: got {}; must be at least --min = {}", arguments.max, arguments.min));
+  if (arguments.law == "poisson") {
+    try {
+      return poisson(arguments.min, arguments.max, arguments.mean);
+    } catch (const std::invalid_argument& error) {
+      throw SceneError(fmt::format("--mean: got {}; must be > 0 ({})", arguments.mean, error.what()));
+    }
+  }
   try {
     return geometric(arguments.min, arguments.max, arguments.probability);
   } catch (const std::invalid_argument& error) {
@@ -114,8 +135,11 @@ int run_stability(const Arguments& arguments) {
   const bool own = arguments.velocity == "own_series";
   const VelocitySeries velocity = own ? VelocitySeries::own_series : VelocitySeries::derivative;
   const std::string title =
-      fmt::format("{}, degrees {} to {}, p = {}, velocity {}", arguments.law, arguments.min, arguments.max,
-                  arguments.probability, arguments.velocity);
+      fmt::format("{}, degrees {} to {}{}, velocity {}", arguments.law, law.min_degree(), law.max_degree(),
+                  arguments.law == "geometric" ? fmt::format(", p = {}", arguments.probability)
+                  : arguments.law == "poisson" ? fmt::format(", mean {}", arguments.mean)
+                                               : std::string(),
+                  arguments.velocity);
   std::printf("%s; mean degree %.6g\n", title.c_str(), law.mean());
   std::printf("the largest %s up to which nothing grows:\n", own ? "|lambda| h" : "omega h");
   std::printf("  %-32s %16s %16s\n", "", own ? "real axis" : "critical damping",
@@ -171,8 +195,11 @@ void add_stability(CLI::App& app, std::optional<Study>& chosen) {
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
   command->add_option("--law", arguments->law, "of the degree")
-      ->check(CLI::IsMember({"geometric"}))
+      ->check(CLI::IsMember({"geometric", "poisson", "tail"}))
       ->capture_default_str();
+  command->add_option("--mean", arguments->mean, "with poisson: of the degrees beyond --min")
+      ->capture_default_str();
+  command->add_option("--tail", arguments->tail, "with tail: P(K >= 0), P(K >= 1), ...")->delimiter(',');
   command->add_option("--velocity", arguments->velocity, "its series")
       ->check(CLI::IsMember({"own_series", "derivative"}))
       ->capture_default_str();

@@ -40,6 +40,14 @@ TEST(StabilityCommand, PrintsItsTableWithoutGnuplot) {
                                 HasSubstr("gnuplot is not in PATH")));
 }
 
+/// A tail may be any law: here that of (3,6,.5).
+TEST(StabilityCommand, TakesATailOfOnesOwn) {
+  const TemporaryFolder folder;
+  const Ended run = program("stability --law tail --tail 1,1,1,1,.5,.25,.125 --out here", folder.path());
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_THAT(run.output, AllOf(HasSubstr("degrees 3 to 6"), HasSubstr("2.271943524")));
+}
+
 TEST(StabilityCommand, SaysWhatIsWrongWithWhichOption) {
   const TemporaryFolder folder;
   struct Bad {
@@ -52,7 +60,10 @@ TEST(StabilityCommand, SaysWhatIsWrongWithWhichOption) {
                          {"--probability 1", "--probability", "1", "below 1"},
                          {"--probability 2", "--probability", "2", "1"},
                          {"--probability nan", "--probability", "nan", "0 to 1"},
-                         {"--law poisson", "--law", "poisson", "geometric"},
+                         {"--law fair", "--law", "fair", "geometric"},
+                         {"--law poisson --mean 0", "--mean", "0", "> 0"},
+                         {"--law tail --tail 1,.5,.7", "--tail", "0.7", "not be larger"},
+                         {"--law tail", "--tail", "", "P(K >= 0)"},
                          {"--velocity none", "--velocity", "none", "own_series"}}) {
     const Ended run = program(std::string("stability ") + bad.arguments, folder.path());
     EXPECT_EQ(run.exit_code, 2) << run.output;
