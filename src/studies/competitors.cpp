@@ -56,7 +56,7 @@ std::vector<Competitor> competitors() {
                          {{"law", "sequential"}, {"target", target}}));
 
   // Steps that are chosen.
-  all.push_back({"steps chosen, degree 20",
+  all.push_back({"jorba_zou",
                  "jorba_zou",
                  {{"type", "taylor"}, {"degree", 20}},
                  {{"type", "jorba_zou"}},

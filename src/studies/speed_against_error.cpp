@@ -163,7 +163,10 @@ void compare(const TestProblem& problem, const Arguments& arguments, const std::
     if (std::isfinite(row.position_error))
       points.push_back({row.family, row.position_error, row.element_coefficients, row.seconds});
   const auto picture = arguments.folder / (problem.name + ".svg");
-  draw_work_precision(picture, problem.description, points, problem.end_error);
+  const Coordinates<double> origin =
+      Coordinates<double>::Zero(problem.end.position.rows(), problem.end.position.cols());
+  draw_work_precision(picture, problem.description, points, problem.end_error,
+                      distance(*problem.system, problem.end.position, origin));
   fmt::print("{}\n", picture.string());
 }
 

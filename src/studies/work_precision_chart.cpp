@@ -31,14 +31,14 @@ std::string block(const std::vector<Point>& points) {
   return text + "\n\n";
 }
 
-constexpr unsigned colours[] = {0x222222, 0x4477aa, 0xee6677, 0x228833, 0xccbb44,
-                                0x66ccee, 0xaa3377, 0xee7733, 0x8a9099, 0x997700};
-constexpr int marks[] = {7, 5, 9, 11, 13, 15, 4, 6, 8, 10};
+constexpr unsigned colours[] = {0x222222, 0x4477aa, 0xee6677, 0x228833, 0xccbb44, 0x66ccee,
+                                0xaa3377, 0xee7733, 0x8a9099, 0x997700, 0x0000cc, 0xcc3311};
+constexpr int marks[] = {7, 5, 9, 11, 13, 15, 4, 6, 8, 10, 12, 14};
 
 }  // namespace
 
 void draw_work_precision(const std::filesystem::path& picture, const std::string& title,
-                         const std::vector<WorkPrecision>& points, double floor) {
+                         const std::vector<WorkPrecision>& points, double floor, double ceiling) {
   std::vector<std::string> families;
   for (const auto& point : points)
     if (std::ranges::find(families, point.family) == families.end()) families.push_back(point.family);
@@ -48,7 +48,7 @@ void draw_work_precision(const std::filesystem::path& picture, const std::string
     for (std::size_t f = 0; f < families.size(); ++f) {
       std::vector<Point> all;
       for (const auto& point : points)
-        if (point.family == families[f])
+        if (point.family == families[f] && point.error <= ceiling)
           all.emplace_back(panel == 0 ? point.work : point.seconds, std::max(point.error, floor));
       data += block(all) + block(front(all));
       const unsigned code = colours[f % std::size(colours)];
@@ -74,11 +74,11 @@ void draw_work_precision(const std::filesystem::path& picture, const std::string
       "set label " + gnuplot::quoted(title) +
       fmt::format(" at screen 0.02, screen 0.95 font ',22' textcolor rgb 0x{:06x} noenhanced\n", ink.code()) +
       "set multiplot\nset tmargin at screen 0.88\nset bmargin at screen 0.13\n"
-      "set lmargin at screen 0.085\nset rmargin at screen 0.42\nset key at screen 0.995, screen 0.88 right "
+      "set lmargin at screen 0.08\nset rmargin at screen 0.405\nset key at screen 0.995, screen 0.88 right "
       "top "
       "vertical maxcols 1 width -2\n" +
       text("xlabel", "element coefficients") + text("ylabel", "position error [m]") + "plot " + panels[0] +
-      "\nunset label\nunset key\nset lmargin at screen 0.47\nset rmargin at screen 0.80\nset ylabel ''\n" +
+      "\nunset label\nunset key\nset lmargin at screen 0.455\nset rmargin at screen 0.78\nset ylabel ''\n" +
       text("xlabel", "processor time [s]") + "plot " + panels[1] + "\nunset multiplot\n";
   gnuplot::draw(picture, {1400, 620, 16}, commands, data);
 }
