@@ -7,8 +7,10 @@
 //     level 3   |---|---|---|---|---|---|---|---|       ends before the step of the finer particle does
 //
 // A particle takes the level its own series asks for (control/last_two.hpp). It may become finer at any of its updates by
-// any number of levels, coarser by one level and only where that step may begin. Neighbours differ by at most `grading`
-// levels, as far as those that are due can see to it.
+// any number of levels, coarser by one level and only where that step may begin. At its update it is
+// at most `grading` levels coarser than any neighbour. (A neighbour that is not due stays too coarse until it is: woken
+// at an odd tick it would have to begin with the finest step, and so would its own neighbours; measured on the chain of
+// methods 15b, degree 8: four times the updates.)
 //
 // Source: individual steps in blocks, Makino, Aarseth 1992 (S. J. Aarseth, Gravitational N-Body Simulations, 2003);
 // there the others are predicted and the force is summed anew, here the series of all that are due are grown together.

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// What every schedule with a clock for each particle obeys, and one clock beside them: they converge to the same motion
+// at the order of the method, run into collisions with open eyes, and are fast only where the motion is.
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "jetlag/control/jorba_zou.hpp"
+#include "jetlag/control/last_two.hpp"
+#include "jetlag/motion/energy.hpp"
+#include "jetlag/schedule/asynchronous.hpp"
+#include "jetlag/schedule/block.hpp"
+#include "jetlag/schedule/lockstep.hpp"
+#include "schedule/networks.hpp"
+
+namespace jetlag::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// To rounding: another step rule, at degree 24.
+State<double> truth(const Scene& scene, double until) {
+  State<double> state = scene.start;
+  Lockstep(taylor(scene.system, 24, std::make_unique<JorbaZou>())).run(state, until, {});
+  return state;
+}
+
+// ---- the members ------------------------------------------------------------------------------------------
+
+struct Member {
+  std::string name;
+  std::function<std::unique_ptr<Schedule>(const System<double>&, int degree, double tolerance)> make;
+};
+void PrintTo(const Member& member, std::ostream* out) { *out << member.name; }
+
+template <class ScheduleType>
+std::unique_ptr<Schedule> with_clocks(const System<double>& system, int degree, double tolerance) {
+  typename ScheduleType::Options options;
+  options.tolerance = tolerance;
+  return std::make_unique<ScheduleType>(system, degree, options);
+}
+const Member lockstep{"Lockstep", [](const System<double>& system, int degree, double tolerance) {
+                        return std::make_unique<Lockstep>(taylor(system, degree, std::make_unique<LastTwo>(tolerance)));
+                      }};
+const Member block{"Block", with_clocks<BlockSteps>}, asynchronous{"Asynchronous", with_clocks<Asynchronous>};
+
+class Schedules : public ::testing::TestWithParam<Member> {};
+INSTANTIATE_TEST_SUITE_P(, Schedules, ::testing::Values(lockstep, block, asynchronous),
+                         [](const auto& info) { return info.param.name; });
+class Clocks : public Schedules {};
+INSTANTIATE_TEST_SUITE_P(, Clocks, ::testing::Values(block, asynchronous),
+                         [](const auto& info) { return info.param.name; });
+
+// ---- laws -------------------------------------------------------------------------------------------------
+
+TEST_P(Schedules, ConvergeAtTheirOrder) {
+  // h ~ tolerance^(1/N), the error of degree N ~ h^N: a tolerance of 2^-N times as much halves all steps, and the error
+  // follows the tolerance. From 2^-4 to a few hundred roundings.
+  const Scene scene = spring_cube(3);
+  const double until = 2.0;
+  const State<double> end = truth(scene, until);
+  for (int degree : {4, 8, 12, 16}) {
+    std::vector<double> log_tolerance, log_error;
+    for (double tolerance = std::ldexp(1.0, degree == 4 ? -12 : degree == 8 ? -8 : 0);; tolerance = std::ldexp(tolerance, -degree)) {
+      State<double> state = scene.start;
+      ASSERT_EQ(GetParam().make(scene.system, degree, tolerance)->run(state, until, {}).outcome, Outcome::success);
+      const double error = (state.position - end.position).cwiseAbs().maxCoeff();
+      if (error < 1e-13) break;
+      log_tolerance.push_back(std::log2(tolerance));
+      log_error.push_back(std::log2(error));
+      std::printf("%s %d tol %g err %g\n", GetParam().name.c_str(), degree, tolerance, error);
+    }
+    ASSERT_GE(log_error.size(), 2u);
+    const double slope = (log_error.back() - log_error.front()) / (log_tolerance.back() - log_tolerance.front());
+    EXPECT_NEAR(slope, 1.0, 0.2) << degree;
+  }
+}
+
+TEST_P(Schedules, EndWhereTwoMassesFallIntoEachOther) {
+  // The step shrinks with the time that is left, by a constant factor, until it no longer changes the time: a hundred
+  // steps or so.
+  for (double tolerance : {1e-6, 1e-12}) {
+    const Scene scene = falling_together(1.0);
+    State<double> state = scene.start;
+    RunOptions options;
+    options.max_steps = 10000;
+    const Report report = GetParam().make(scene.system, 12, tolerance)->run(state, 3.0, options);
+    EXPECT_EQ(report.outcome, Outcome::step_underflow) << report.message;
+    EXPECT_NEAR(state.time, time_of_collision(1.0), 1e-6);
+    EXPECT_TRUE(state.position.allFinite() && state.velocity.allFinite());
+    EXPECT_THAT(report.message, HasSubstr("particle"));
+    EXPECT_GE(report.particle, 0);
+  }
+}
+
+TEST_P(Clocks, GoOnWithTheSameBits) {
+  const Scene scene = stiff_spot_in_a_chain(16, 1e3);
+  State<double> whole = scene.start, cut = scene.start;
+  GetParam().make(scene.system, 8, 1e-9)->run(whole, 1.0, {});
+  const auto schedule = GetParam().make(scene.system, 8, 1e-9);
+  RunOptions few;
+  few.max_steps = 13;
+  int stops = 0;
+  while (schedule->run(cut, 1.0, few).outcome == Outcome::step_limit) ++stops;
+  EXPECT_GT(stops, 3);
+  EXPECT_EQ(cut.position, whole.position);
+  EXPECT_EQ(cut.velocity, whole.velocity);
+}
+
+// ---- H3: masses 1 and 1e-6 in a row ------------------------------------------------------------------------
+
+/// F = -k d on a pair, of no rest length.
+struct Bond {
+  static constexpr const char* name = "bond";
+  static constexpr int participants = 2;
+  static constexpr std::array parameters{"stiffness"};
+  template <class T, int D>
+  static Vector<T, D> force(const Participants<T, D, 2>& p, const T& k) {
+    return T(k) * Vector<T, D>(p.position[1] - p.position[0]);
+  }
+  template <class T, int D>
+  static T energy(const Participants<T, D, 2>& p, const T& k) {
+    return T(0.5) * k * T((p.position[1] - p.position[0]).squaredNorm());
+  }
+};
+
+TEST(HeavyAndLight, HaveClocksInTheRatioTheirDegreeAllows) {
+  // wall - 1 kg - 1e-6 kg, k = 1: the light mass runs a thousand times as fast, and shakes the heavy one by a millionth of
+  // its own amplitude. So coefficient N of the heavy one is 1e-6 of the light one's, its step (1e6)^(1/N) times as long.
+  // Source of the values: the closed form in 75 digits, methods 13, H3.
+  System<double> system(1, {1.0, 1.0, 1e-6});
+  system.fix(0);
+  system.add<Bond>({{0, 1}, {1, 2}}, {{1.0}});
+  for (int degree : {4, 8}) {
+    State<double> state{0.0, Coordinates<double>::Zero(3, 1), Coordinates<double>::Zero(3, 1)};
+    state.velocity(1, 0) = 1;
+    EnergyMeter meter(system);
+    const double energy = meter(state).total();
+    double worst = 0;
+    BlockSteps::Options options;
+    options.tolerance = 1e-10;
+    options.grading = 0;
+    BlockSteps schedule(system, degree, options);
+    RunOptions run;
+    for (int frame = 1; frame <= 100; ++frame) run.frame_times.push_back(0.1 * frame);
+    run.at_frame = [&](const State<double>& at) { worst = std::max(worst, std::abs(meter(at).total() - energy)); };
+    ASSERT_EQ(schedule.run(state, 10.0, run).outcome, Outcome::success);
+    const double ratio = static_cast<double>(schedule.updates_of(2)) / static_cast<double>(schedule.updates_of(1));
+    std::printf("degree %d: ratio %g energy %g error %g %g\n", degree, ratio, worst, state.position(1,0)+0.5440166438251770496097, state.position(2, 0) +0.5437068163573494981762);
+    EXPECT_GT(ratio, 0.5 * std::pow(1e6, 1.0 / degree));  // levels are powers of two
+    EXPECT_LT(worst, 1e-6);
+    EXPECT_NEAR(state.position(1, 0), -0.5440166438251770496097, 1e-6);
+    EXPECT_NEAR(state.position(2, 0), -0.5437068163573494981762, 1e-5);
+  }
+}
+
+// ---- a spring that collapses somewhere in a net ------------------------------------------------------------
+
+/// A mass that falls through the fixed end of its spring at a distance of 1.5 offset (methods 13, H5), and a chain of 20
+/// that hangs on it by weak springs, away from it.
+Scene collapsing(double offset) {
+  constexpr int chain = 20;
+  System<double> system(2, std::vector<double>(chain + 2, 1.0));
+  system.fix(0);
+  Scene scene{std::move(system), {0.0, Coordinates<double>::Zero(chain + 2, 2), Coordinates<double>::Zero(chain + 2, 2)}};
+  scene.system.add<Spring>({{0, 1}}, {{1.0, 1.0}});
+  scene.start.position.row(1) << 1.0, 0.0;
+  scene.start.velocity.row(1) << -1.2, offset;
+  std::vector<std::array<int, 2>> pairs;
+  for (int i = 2; i < chain + 2; ++i) {
+    pairs.push_back({i - 1, i});
+    scene.start.position.row(i) << 1.0 + 5.0 * (i - 1), 0.0;
+  }
+  scene.system.add<Bond>(pairs, {{1e-3}});
+  return scene;
+}
+
+TEST_P(Clocks, AreFastOnlyWhereASpringCollapses) {
+  for (double offset : {1e-1, 1e-3, 1e-6, 0.0}) {
+    const Scene scene = collapsing(offset);
+    State<double> state = scene.start;
+    const auto schedule = GetParam().make(scene.system, 12, 1e-9);
+    ASSERT_EQ(schedule->run(state, 2.0, {}).outcome, Outcome::success);
+    EXPECT_TRUE(state.position.allFinite() && state.velocity.allFinite());
+    const auto& clocks = dynamic_cast<const ClockSchedule&>(*schedule);
+    std::printf("%s offset %g:", GetParam().name.c_str(), offset);
+    for (int i = 1; i < 22; ++i) std::printf(" %d", (int)clocks.updates_of(i));
+    std::printf("\n");
+    for (int i = 2; i < 21; ++i) EXPECT_LE(clocks.updates_of(i + 1), clocks.updates_of(i)) << i;
+    if (offset > 0) {
+      const State<double> end = truth(scene, 2.0);
+      EXPECT_LT((state.position - end.position).cwiseAbs().maxCoeff(), 1e-6);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace jetlag::testing
