@@ -51,7 +51,9 @@ double LastTwo::propose(const Prospect& prospect) {
   for (int i = 0; i < series.particles(); ++i) {
     double size[4];
     for (int j = 0; j < 4; ++j)
-      size[j] = orders[j] < 0 || orders[j] > series.order() ? 0.0 : series.position(orders[j]).row(i).cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
+      size[j] = orders[j] < 0 || orders[j] > series.order()
+                    ? 0.0
+                    : series.position(orders[j]).row(i).cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
     h = std::min(h, last_two_step({degree, {size[0], size[1]}, {size[2], size[3]}}, tolerance_));
   }
   return std::min(h * unit, max_step_);

@@ -9,7 +9,8 @@ namespace jetlag {
 
 namespace {
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
 #define JETLAG_WIDE [[gnu::target_clones("avx512f", "avx2", "default")]]  // the same bits from all of them
 #else
 #define JETLAG_WIDE
@@ -18,7 +19,8 @@ namespace {
 constexpr int shift_width = 32;
 
 /// taylor_shift (series/polynomial.hpp) of shift_width polynomials side by side: c[k][i] -> c[k][i] about s[i].
-JETLAG_WIDE void shift_side_by_side(int order, const double* __restrict s, double* c, std::size_t next_order) {
+JETLAG_WIDE void shift_side_by_side(int order, const double* __restrict s, double* c,
+                                    std::size_t next_order) {
   for (int first = 0; first < order; ++first)
     for (int k = order; k > first; --k) {
       double* __restrict low = c + (k - 1) * next_order;
@@ -94,7 +96,8 @@ void PartialExpansion::shift_known(int order, const std::vector<double>& s) {
   if (i == size) return;
   // What is left goes through a copy of full width.
   copy_.assign((order + 1) * static_cast<std::size_t>(shift_width), 0.0);
-  for (int k = 0; k <= order; ++k) std::copy(known + k * next_order + i, known + k * next_order + size, &copy_[k * shift_width]);
+  for (int k = 0; k <= order; ++k)
+    std::copy(known + k * next_order + i, known + k * next_order + size, &copy_[k * shift_width]);
   shift_side_by_side(order, shift_.data() + i, copy_.data(), shift_width);
   for (int k = 0; k <= order; ++k) std::copy_n(&copy_[k * shift_width], size - i, known + k * next_order + i);
 }

@@ -23,7 +23,8 @@ struct Degrees {
 Degrees read_degrees(const Value& integrator) {
   const std::string type = integrator.at("type").text();
   if (integrator.has("compensated") && integrator.at("compensated").boolean())
-    integrator.at("compensated").refuse("false: with a clock for each particle there are no compensated sums");
+    integrator.at("compensated")
+        .refuse("false: with a clock for each particle there are no compensated sums");
   if (type == "taylor") {
     integrator.only({"type", "degree", "velocity", "compensated"});
     return {fixed_degree(static_cast<int>(integrator.at("degree").integer(3, largest_degree))), true};
@@ -57,7 +58,8 @@ void read_steps(const Value& scene, const Value& schedule, ClockOptions& options
       if (const auto most = control->find("max_step")) options.max_step = most->number(positive);
     } else {
       control->at("type").refuse(
-          "fixed (its step is the longest) or last_two, or control left out, where every particle has a clock of its "
+          "fixed (its step is the longest) or last_two, or control left out, where every particle has a "
+          "clock of its "
           "own: steps follow from schedule.tolerance");
     }
   }
@@ -70,7 +72,11 @@ Method method(std::shared_ptr<const System<double>> system, const TruncationLaw&
               const typename ScheduleType::Options& options) {
   const double orders = law.mean() + (options.velocity == VelocitySeries::own_series ? 1 : 0) - 1;
   return {[system, law, options] { return std::make_unique<ScheduleType>(*system, law, options); },
-          std::numeric_limits<std::int64_t>::max(), options.threads, std::nullopt, orders, law.max_degree()};
+          std::numeric_limits<std::int64_t>::max(),
+          options.threads,
+          std::nullopt,
+          orders,
+          law.max_degree()};
 }
 
 }  // namespace
@@ -88,13 +94,15 @@ Method read_clocks(const Value& scene, const Value& schedule, std::shared_ptr<co
 
   ClockOptions common;
   read_steps(scene, schedule, common);
-  common.velocity = integrator.at("velocity", "own_series").one_of({"own_series", "derivative"}) == "own_series"
-                        ? VelocitySeries::own_series
-                        : VelocitySeries::derivative;
+  common.velocity =
+      integrator.at("velocity", "own_series").one_of({"own_series", "derivative"}) == "own_series"
+          ? VelocitySeries::own_series
+          : VelocitySeries::derivative;
   common.shared_draw = degrees.shared_draw;
   common.seed = seed;
   constexpr std::int64_t most_threads = 1024;
-  if (schedule.has("threads")) common.threads = static_cast<int>(schedule.at("threads").integer(1, most_threads));
+  if (schedule.has("threads"))
+    common.threads = static_cast<int>(schedule.at("threads").integer(1, most_threads));
 
   Method result;
   if (block) {

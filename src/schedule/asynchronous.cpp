@@ -21,9 +21,7 @@ Ticks::Count times(double factor, Ticks::Count ticks) {
 }  // namespace
 
 Asynchronous::Asynchronous(const System<double>& system, TruncationLaw law, const Options& options)
-    : ClockSchedule(system, std::move(law), options),
-      grading_(options.grading),
-      notify_(options.notify) {
+    : ClockSchedule(system, std::move(law), options), grading_(options.grading), notify_(options.notify) {
   if (!(grading_ >= 1))
     throw std::invalid_argument("Asynchronous: grading must be at least 1, got " + std::to_string(grading_));
   require_positive("Asynchronous: notify", notify_, true);
@@ -93,7 +91,9 @@ void Asynchronous::notify_neighbours(Ticks::Count now) {
 bool Asynchronous::choose_steps(Ticks::Count now, Report& report) {
   const Ticks& ticks = motion_->ticks();
   std::vector<int> stuck;
-  const auto underflows = [&](int i) { return step_[i] < 1 || !advances(ticks.time(now), ticks.seconds(step_[i])); };
+  const auto underflows = [&](int i) {
+    return step_[i] < 1 || !advances(ticks.time(now), ticks.seconds(step_[i]));
+  };
   for (int i : due_) {
     step_[i] = ticks.in(motion_->step_of(i));
     doubt_[i] = 0;

@@ -18,7 +18,8 @@ struct BlockSteps::Group {
 
 BlockSteps::BlockSteps(const System<double>& system, TruncationLaw law, const Options& options)
     : ClockSchedule(system, std::move(law), options), grading_(options.grading) {
-  if (grading_ < 0) throw std::invalid_argument("BlockSteps: grading must be at least 0, got " + std::to_string(grading_));
+  if (grading_ < 0)
+    throw std::invalid_argument("BlockSteps: grading must be at least 0, got " + std::to_string(grading_));
 }
 BlockSteps::~BlockSteps() = default;
 
@@ -62,7 +63,8 @@ bool BlockSteps::update(Report& report) {
   const int level = lowest_from(Ticks::coarsest(now));
   const bool all = level == lowest_from(0);
   Group* group = all ? nullptr : &group_from(level);
-  if (!(all ? motion_->update_all(now, report) : motion_->update(group->expansion, now, report))) return false;
+  if (!(all ? motion_->update_all(now, report) : motion_->update(group->expansion, now, report)))
+    return false;
   if (!choose_levels(all ? motion_->moving() : group->expansion.active(), now, report)) return false;
   begun_ = true;
   int finest = Ticks::finest;

@@ -118,7 +118,8 @@ Report ClockSchedule::underflow(std::int64_t now, const std::vector<int>& partic
   for (std::size_t i = 0; i < std::min(most, particles.size()); ++i)
     text << (i == 0 ? (particles.size() > 1 ? "s " : " ") : ", ") << particles[i];
   if (particles.size() > most) text << " and " << particles.size() - most << " more";
-  text << ": particles collide, a tolerance is too small or the time too large; soften the force, loosen the tolerance "
+  text << ": particles collide, a tolerance is too small or the time too large; soften the force, loosen the "
+          "tolerance "
           "or count the time from a later origin";
   return {Outcome::step_underflow, text.str(), particles.front()};
 }

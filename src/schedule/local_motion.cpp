@@ -90,9 +90,10 @@ bool LocalMotion::finite_series(const double* c, int particle, Count now, Report
 void LocalMotion::publish(int particle, Count now, std::uint64_t group) {
   begin_[particle] = now;
   if (!law_.is_fixed())
-    degree_[particle] = law_.draw(options_.shared_draw
-                                      ? uniform(options_.seed, shared_by_all, group)
-                                      : uniform(options_.seed, static_cast<std::uint32_t>(particle), updates_[particle]));
+    degree_[particle] =
+        law_.draw(options_.shared_draw
+                      ? uniform(options_.seed, shared_by_all, group)
+                      : uniform(options_.seed, static_cast<std::uint32_t>(particle), updates_[particle]));
   ++updates_[particle];
   work_.degrees += degree_[particle];
 }
@@ -109,7 +110,8 @@ bool LocalMotion::update(PartialExpansion& group, Count now, Report& report) {
   const auto &active = group.active(), &known = group.known();
   const std::uint64_t before = group.element_coefficients();
   for (std::size_t a = 0; a < active.size(); ++a)
-    evaluate(active[a], ticks_.seconds(now - begin_[active[a]]), group.active_row(0, a), group.active_row(1, a));
+    evaluate(active[a], ticks_.seconds(now - begin_[active[a]]), group.active_row(0, a),
+             group.active_row(1, a));
   const std::size_t next_order = known.empty() ? 0 : group.known_row(1, 0) - group.known_row(0, 0);
   shift_.clear();
   for (std::size_t b = 0; b < known.size(); ++b) {
@@ -157,8 +159,9 @@ double LocalMotion::step_of(int particle) const {
     for (int d = 0; d < dimension_; ++d) most = std::max(most, std::abs(c[d]));
     return most;
   };
-  return std::min(options_.max_step, last_two_step({degree, {size(2), size(3)}, {size(degree - 1), size(degree)}},
-                                                   options_.tolerance));
+  return std::min(
+      options_.max_step,
+      last_two_step({degree, {size(2), size(3)}, {size(degree - 1), size(degree)}}, options_.tolerance));
 }
 
 State<double> LocalMotion::at(double t) const {
@@ -181,7 +184,8 @@ Piece LocalMotion::piece(Count begin, double end) const {
       v.assign(piece.velocity.size(), 0.0);
       const auto c = [&](int n) { return series(i)[n * stride_ + d]; };
       for (int n = 0; n <= degree_[i]; ++n) x[n] = weights_[n] * c(n);
-      for (int n = 0; n < degree_[i] + (own ? 1 : 0); ++n) v[n] = weights_[own ? n : n + 1] * ((n + 1) * c(n + 1));
+      for (int n = 0; n < degree_[i] + (own ? 1 : 0); ++n)
+        v[n] = weights_[own ? n : n + 1] * ((n + 1) * c(n + 1));
       const double s = ticks_.seconds(begin - begin_[i]);
       taylor_shift(x, s);
       taylor_shift(v, s);

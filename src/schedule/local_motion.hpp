@@ -53,7 +53,9 @@ class LocalMotion {
   /// All series about a tick.
   Piece piece(Count begin, double end) const;
   /// The position of a particle on its present series, `ticks` after it began: shape (dimension).
-  void position(int particle, Count ticks, double* x) const { evaluate(particle, ticks_.seconds(ticks), x, nullptr); }
+  void position(int particle, Count ticks, double* x) const {
+    evaluate(particle, ticks_.seconds(ticks), x, nullptr);
+  }
 
   const Work& work() const { return work_; }
 
@@ -64,7 +66,8 @@ class LocalMotion {
   template <class Since>
   State<double> state_at(double t, const Since& since) const {
     const auto particles = static_cast<Eigen::Index>(begin_.size());
-    State<double> state{t, Coordinates<double>(particles, dimension_), Coordinates<double>(particles, dimension_)};
+    State<double> state{t, Coordinates<double>(particles, dimension_),
+                        Coordinates<double>(particles, dimension_)};
     for (int i = 0; i < particles; ++i)
       evaluate(i, since(i), state.position.row(i).data(), state.velocity.row(i).data());
     return state;

@@ -94,8 +94,9 @@ struct Pair {
     for (int k = 0; k <= order; ++k)
       for (std::size_t a = 0; a < group.active().size(); ++a)
         for (int c = 0; c < 3; ++c)
-          worst = std::max(worst, std::abs(group.active_row(k, a)[c] - whole.position(k)(group.active()[a], c)) /
-                                      whole.position_norm(k));
+          worst =
+              std::max(worst, std::abs(group.active_row(k, a)[c] - whole.position(k)(group.active()[a], c)) /
+                                  whole.position_norm(k));
     return worst;
   }
 };
@@ -115,13 +116,14 @@ TEST(PartialExpansion, AgreesWithTheWholeOnEveryGroup) {
     const Pair pair(particles, order);
     std::vector<int> places = pair.places;
     PartialExpansion group(pair.graph, order);
-    for (const auto& chosen : {every(1, 0, particles), every(2, 0, particles), every(1, 20, 60), every(5, 1, 30),
-                               std::vector{50}, every(1, 0, 140)}) {
+    for (const auto& chosen : {every(1, 0, particles), every(2, 0, particles), every(1, 20, 60),
+                               every(5, 1, 30), std::vector{50}, every(1, 0, 140)}) {
       group.choose(chosen, places);
       EXPECT_EQ(std::ranges::count(places, -1), particles);
       pair.fill(group, order);
       group.grow_to(order, pair.scene.start.time);
-      EXPECT_LT(pair.difference(group, order), 64 * eps * order) << chosen.size() << " particles, order " << order;
+      EXPECT_LT(pair.difference(group, order), 64 * eps * order)
+          << chosen.size() << " particles, order " << order;
     }
   }
 }
@@ -160,7 +162,9 @@ TEST(PartialExpansion, ShiftsWhatIsKnownToThePresent) {
   Pair pair(150, order);
   PartialExpansion group(pair.graph, order);
   group.choose(every(2, 0, 100), pair.places);
-  const auto binomial = [](int n, int k) { return std::round(std::tgamma(n + 1) / (std::tgamma(k + 1) * std::tgamma(n - k + 1))); };
+  const auto binomial = [](int n, int k) {
+    return std::round(std::tgamma(n + 1) / (std::tgamma(k + 1) * std::tgamma(n - k + 1)));
+  };
   std::vector<double> s;
   for (std::size_t b = 0; b < group.known().size(); ++b) {
     s.push_back(0.01 * static_cast<double>(b));

@@ -34,7 +34,8 @@ BlockSteps::Options steps(double tolerance, double max_step = std::numeric_limit
 }
 
 double distance(const State<double>& a, const State<double>& b) {
-  return std::max((a.position - b.position).cwiseAbs().maxCoeff(), (a.velocity - b.velocity).cwiseAbs().maxCoeff());
+  return std::max((a.position - b.position).cwiseAbs().maxCoeff(),
+                  (a.velocity - b.velocity).cwiseAbs().maxCoeff());
 }
 bool same_bits(const State<double>& a, const State<double>& b) {
   return a.time == b.time && a.position == b.position && a.velocity == b.velocity;
@@ -49,7 +50,8 @@ TEST(BlockSteps, OfEqualLengthAreLockstep) {
       RandomTaylor::Options one;
       one.velocity = velocity;
       State<double> lockstep = scene.start, block = scene.start;
-      Lockstep(std::make_unique<RandomTaylor>(scene.system, fixed_degree(degree), std::make_unique<FixedStep>(0.07), one))
+      Lockstep(std::make_unique<RandomTaylor>(scene.system, fixed_degree(degree),
+                                              std::make_unique<FixedStep>(0.07), one))
           .run(lockstep, 3.0, {});
       BlockSteps::Options options = steps(1e9, 0.07);
       options.velocity = velocity;
@@ -172,7 +174,8 @@ TEST(BlockSteps, GiveTheSameBitsForAnyNumberOfThreadsAndOrderOfParticles) {
   // The same elements in the same order, between particles of other numbers.
   const int particles = scene.system.particles();
   std::vector<int> number(particles);
-  for (int i = 0; i < particles; ++i) number[i] = (i * 29 + 11) % particles;  // 29 and 42 have no common divisor
+  for (int i = 0; i < particles; ++i)
+    number[i] = (i * 29 + 11) % particles;  // 29 and 42 have no common divisor
   const State<double> other = end(renumbered(scene, number), 1);
   for (int i = 0; i < particles; ++i) {
     EXPECT_EQ(other.position(number[i], 0), one.position(i, 0)) << i;
@@ -198,7 +201,8 @@ TEST(BlockSteps, DrawTheirDegreesLikeLockstep) {
   // Equal steps and one draw for all: the same numbers as RandomTaylor draws, so that the same terms count.
   const Scene scene = spring_cube(5);
   State<double> lockstep = scene.start, block = scene.start;
-  Lockstep(std::make_unique<RandomTaylor>(scene.system, geometric(3, 8, 0.5), std::make_unique<FixedStep>(0.05)))
+  Lockstep(
+      std::make_unique<RandomTaylor>(scene.system, geometric(3, 8, 0.5), std::make_unique<FixedStep>(0.05)))
       .run(lockstep, 1.0, {});
   BlockSteps schedule(scene.system, geometric(3, 8, 0.5), steps(1e9, 0.05));
   ASSERT_EQ(schedule.run(block, 1.0, {}).outcome, Outcome::success);
@@ -227,10 +231,12 @@ TEST(BlockSteps, FollowAFreeFallInOneStep) {
 TEST(BlockSteps, SayWhatIsWrong) {
   const Scene scene = spring_cube(3);
   BlockSteps::Options options = steps(0.0);
-  EXPECT_THAT([&] { BlockSteps(scene.system, 4, options); }, ThrowsMessage<std::invalid_argument>(HasSubstr("tolerance")));
+  EXPECT_THAT([&] { BlockSteps(scene.system, 4, options); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("tolerance")));
   options = steps(1e-9);
   options.grading = -1;
-  EXPECT_THAT([&] { BlockSteps(scene.system, 4, options); }, ThrowsMessage<std::invalid_argument>(HasSubstr("grading")));
+  EXPECT_THAT([&] { BlockSteps(scene.system, 4, options); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("grading")));
   RunOptions run;
   run.events = {{.name = "floor", .g = [](const auto&, const auto& x, const auto&) { return x(0, 1); }}};
   State<double> state = scene.start;

@@ -48,10 +48,17 @@ class StiffSpot : public ::testing::TestWithParam<Case> {
   const Scene scene = stiff_spot_in_a_chain(128, 1e4);
   const State<double> end = truth(scene, GetParam().until);
   Result lockstep() const {
+    if (GetParam().degree == 4) {  // takes 3 s; measured with the lines below, and in methods 15b: 8.1e7 and 1.5e-7
+      Work work;
+      work.updates = 26860672;
+      work.element_coefficients = 81211563;
+      return {work, 1.51e-7};
+    }
     RandomTaylor::Options options;
     options.velocity = VelocitySeries::derivative;
-    Lockstep schedule(std::make_unique<RandomTaylor>(scene.system, fixed_degree(GetParam().degree),
-                                                     std::make_unique<LastTwo>(GetParam().tolerance, max_step), options));
+    Lockstep schedule(
+        std::make_unique<RandomTaylor>(scene.system, fixed_degree(GetParam().degree),
+                                       std::make_unique<LastTwo>(GetParam().tolerance, max_step), options));
     return result(schedule, scene, end);
   }
   template <class ScheduleType>
@@ -65,7 +72,8 @@ class StiffSpot : public ::testing::TestWithParam<Case> {
   }
 };
 INSTANTIATE_TEST_SUITE_P(, StiffSpot,
-                         ::testing::Values(Case{4, 1e-9, 2.5}, Case{8, 1e-9, 20}, Case{12, 1e-12, 20}, Case{16, 1e-12, 20}));
+                         ::testing::Values(Case{4, 1e-9, 20}, Case{8, 1e-9, 20}, Case{12, 1e-12, 20},
+                                           Case{16, 1e-12, 20}));
 
 TEST_P(StiffSpot, CostsBlockStepsATenthOfLockstep) {
   // Measured, at 20 s: 13.3, 11.4, 11.4, 10.7 times less; 1.13, 0.46, 0.94, 0.22 times the error.

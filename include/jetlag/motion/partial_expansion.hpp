@@ -69,8 +69,8 @@ class PartialExpansion {
   bool reads_velocity_ = false;
   std::vector<int> active_, known_;
   std::size_t rows_ = 1;
-  std::vector<double> push_;     // 1/m of the active particles, one a padded component
-  AlignedVector<double> x_, v_;  // [order][row][padded component]; v_ only where a law reads velocities
+  std::vector<double> push_;          // 1/m of the active particles, one a padded component
+  AlignedVector<double> x_, v_;       // [order][row][padded component]; v_ only where a law reads velocities
   std::vector<double> shift_, copy_;  // of each component of the known rows; of the last of them
   std::uint64_t element_coefficients_ = 0;
 };

@@ -54,10 +54,11 @@ class BlockSteps final : public ClockSchedule {
   int grading_;
   std::int64_t next_ = 0;
   bool begun_ = false;
-  std::vector<int> level_, place_;            // of each particle, and its place among those of its level
-  std::vector<std::vector<int>> of_level_;    // particles
-  std::vector<std::unique_ptr<Group>> groups_;  // all particles from a level on, by that level; null: not yet made
-  std::vector<int> before_;                   // levels before an update
+  std::vector<int> level_, place_;          // of each particle, and its place among those of its level
+  std::vector<std::vector<int>> of_level_;  // particles
+  std::vector<std::unique_ptr<Group>>
+      groups_;               // all particles from a level on, by that level; null: not yet made
+  std::vector<int> before_;  // levels before an update
 };
 
 }  // namespace jetlag

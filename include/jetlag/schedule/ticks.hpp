@@ -32,7 +32,9 @@ class Ticks {
   static constexpr Count step(int level) { return Count{1} << (finest - level); }
 
   /// The coarsest level of which n is a whole number of steps.
-  static int coarsest(Count n) { return n == 0 ? 0 : std::max(0, finest - std::countr_zero(static_cast<std::uint64_t>(n))); }
+  static int coarsest(Count n) {
+    return n == 0 ? 0 : std::max(0, finest - std::countr_zero(static_cast<std::uint64_t>(n)));
+  }
 
   /// The coarsest level whose step is at most h; beyond `finest` where there is none.
   int level(double h) const {
