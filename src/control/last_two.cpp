@@ -9,32 +9,31 @@ namespace jetlag {
 
 namespace {
 
-constexpr double safety = 0.7, negligible = 1e-6;
+constexpr double log2_safety = -0.5145731728297583, log2_negligible = -19.931568569324174;  // of 0.7 and 1e-6
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// (a / b)^{1/n}; infinity for b = 0.
-double root(double a, double b, int n) {
-  return b == 0 ? infinity : std::exp2((std::log2(a) - std::log2(b)) / n);
-}
 
 }  // namespace
 
+// In logarithms to the base 2, of which each size takes one.
 double last_two_step(const LastTwoSizes& sizes, double tolerance) {
   for (const auto& pair : {sizes.first, sizes.last})
     for (double c : pair)
       if (!std::isfinite(c)) return 0.0;
-  const double drift = root(negligible * tolerance, sizes.first[0], 2);
-  double h = infinity;
+  const double log_tolerance = std::log2(tolerance);
+  const double first[2] = {std::log2(2 * sizes.first[0]), std::log2(6 * sizes.first[1])};  // -infinity for 0
+  const double drift = (log2_negligible + log_tolerance - (first[0] - 1)) / 2;
+  double log_h = infinity;
   for (int i = 0; i < 2; ++i) {
     const int k = sizes.degree - 1 + i;
-    if (k < 1) continue;
-    h = std::min(h, safety * root(tolerance, sizes.last[i], k));
-    double reach = 0;
-    for (int q = 2; q < 4; ++q)
-      reach = std::max(reach, root(q * (q - 1) * sizes.first[q - 2], k * (k - 1) * sizes.last[i], k - q));
-    if (k > 3) h = std::min(h, std::max(drift, safety * reach));
+    if (k < 1 || sizes.last[i] == 0) continue;
+    const double last = std::log2(sizes.last[i]);
+    log_h = std::min(log_h, (log_tolerance - last) / k + log2_safety);
+    if (k <= 3) continue;
+    const double force = last + std::log2(static_cast<double>(k * (k - 1)));
+    const double reach = std::max((first[0] - force) / (k - 2), (first[1] - force) / (k - 3));
+    log_h = std::min(log_h, std::max(drift, reach + log2_safety));
   }
-  return h;
+  return std::exp2(log_h);
 }
 
 LastTwo::LastTwo(double tolerance, double max_step) : tolerance_(tolerance), max_step_(max_step) {

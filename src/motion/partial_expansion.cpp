@@ -2,7 +2,7 @@
 #include "jetlag/motion/partial_expansion.hpp"
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cassert>
 
 namespace jetlag {
@@ -41,27 +41,40 @@ PartialExpansion::PartialExpansion(std::shared_ptr<const Neighbourhoods> all, in
 
 /// The elements of a law that touch an active particle, ascending. Known particles are given their places.
 std::vector<int> PartialExpansion::touched_elements(std::size_t law, std::vector<int>& places) {
-  const ElementBlocks<double>& all = all_->laws()[law];
-  const int active = static_cast<int>(active_.size());
+  const auto particles = all_->particles_of(law);
+  const int active = static_cast<int>(active_.size()), participants = laws_[law].participants();
   std::vector<int> touched;
   for (int a : active_)
     for (int e : all_->elements_of(law, a)) {
-      bool first = true;  // of the active participants
-      for (int p = 0; p < all.participants(); ++p) {
-        const int other = all.particle(e, p);
-        if (other == a) {
-          if (first) touched.push_back(e);
-        } else if (places[other] < 0) {
+      const int* members = &particles[e * participants];
+      if (participants == 2) {
+        const int other = members[0] == a ? members[1] : members[0];
+        if (places[other] < 0) {
           places[other] = active + 1 + static_cast<int>(known_.size());
           known_.push_back(other);
-        } else if (places[other] < active) {
-          first = false;
+        } else if (members[1] == a && places[other] < active) {
+          continue;  // the first participant is active too, and brings it
         }
-        if (other == a) first = false;
       }
+      touched.push_back(e);
     }
-  if (!std::ranges::is_sorted(touched)) std::ranges::sort(touched);
+  sort(touched, particles.size() / participants);
   return touched;
+}
+
+/// Distinct numbers below `end`, ascending; where they are many in a table of bits.
+void PartialExpansion::sort(std::vector<int>& numbers, std::size_t end) {
+  const std::size_t words = end / 64 + 1;
+  if (numbers.size() < words / 4 + 16) {
+    if (!std::ranges::is_sorted(numbers)) std::ranges::sort(numbers);
+    return;
+  }
+  bits_.assign(words, 0);
+  for (int n : numbers) bits_[n / 64] |= std::uint64_t{1} << n % 64;
+  auto next = numbers.begin();
+  for (std::size_t word = 0; word < words; ++word)
+    for (std::uint64_t left = bits_[word]; left != 0; left &= left - 1)
+      *next++ = static_cast<int>(64 * word) + std::countr_zero(left);
 }
 
 void PartialExpansion::choose(std::span<const int> active, std::vector<int>& places) {
@@ -71,8 +84,8 @@ void PartialExpansion::choose(std::span<const int> active, std::vector<int>& pla
   const int waste = static_cast<int>(active_.size());
   for (std::size_t law = 0; law < laws_.size(); ++law)
     laws_[law].take(
-        all_->laws()[law], touched_elements(law, places), all_->table(), [&](int i) { return places[i]; },
-        [&](int i) { return std::min(places[i], waste); });
+        all_->laws()[law], all_->particles_of(law), touched_elements(law, places), all_->table(),
+        [&](int i) { return places[i]; }, [&](int i) { return std::min(places[i], waste); });
   for (const auto* set : {&active_, &known_})
     for (int i : *set) places[i] = -1;
 

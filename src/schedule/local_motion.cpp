@@ -50,15 +50,15 @@ void LocalMotion::evaluate(int particle, double s, double* x, double* v) const {
   const double* c = series(particle);
   const int degree = degree_[particle];
   const bool own = options_.velocity == VelocitySeries::own_series;
-  for (int d = 0; d < dimension_; ++d) {
-    double sum = 0, slope = 0;
-    for (int n = degree; n >= 0; --n) sum = sum * s + weights_[n] * c[n * stride_ + d];
-    x[d] = sum;
-    if (!v) continue;
-    for (int n = own ? degree : degree - 1; n >= 0; --n)
-      slope = slope * s + weights_[own ? n : n + 1] * ((n + 1) * c[(n + 1) * stride_ + d]);
-    v[d] = slope;
-  }
+  double sum[4] = {}, slope[4] = {};
+  for (int n = degree; n >= 0; --n)
+    for (int d = 0; d < stride_; ++d) sum[d] = sum[d] * s + weights_[n] * c[n * stride_ + d];
+  std::copy_n(sum, dimension_, x);
+  if (!v) return;
+  for (int n = own ? degree : degree - 1; n >= 0; --n)
+    for (int d = 0; d < stride_; ++d)
+      slope[d] = slope[d] * s + weights_[own ? n : n + 1] * ((n + 1) * c[(n + 1) * stride_ + d]);
+  std::copy_n(slope, dimension_, v);
 }
 
 /// What others are told of a particle: its series with the weights of its degree.

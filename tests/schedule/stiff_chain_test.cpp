@@ -48,7 +48,8 @@ class StiffSpot : public ::testing::TestWithParam<Case> {
   const Scene scene = stiff_spot_in_a_chain(128, 1e4);
   const State<double> end = truth(scene, GetParam().until);
   Result lockstep() const {
-    if (GetParam().degree == 4) {  // takes 3 s; measured with the lines below, and in methods 15b: 8.1e7 and 1.5e-7
+    if (GetParam().degree ==
+        4) {  // takes 3 s; measured with the lines below, and in methods 15b: 8.1e7 and 1.5e-7
       Work work;
       work.updates = 26860672;
       work.element_coefficients = 81211563;

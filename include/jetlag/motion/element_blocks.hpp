@@ -73,10 +73,11 @@ class ElementBlocks {
   }
 
   /// Runs some elements of `all` from now on, in the order given; `all` has the elements in the order of the system.
-  /// read(particle), pushed(particle): the row that is read, and the row onto which the force is added.
+  /// particles: of all elements, shape (elements of all, participants). read(particle), pushed(particle): the row that is
+  /// read, and the row onto which the force is added.
   template <class Read, class Pushed>
-  void take(const ElementBlocks& all, std::span<const int> elements, const KernelTable<T>& table,
-            const Read& read, const Pushed& pushed) {
+  void take(const ElementBlocks& all, std::span<const int> particles, std::span<const int> elements,
+            const KernelTable<T>& table, const Read& read, const Pushed& pushed) {
     blocks_.take(all.blocks_, elements, table.fitting(elements.size()));
     const int lanes = blocks_.lanes(), stride = padded(dimension_);
     if (waste_.size() < blocks_.chunks() * lanes) waste_.resize(blocks_.chunks() * lanes);
@@ -85,7 +86,7 @@ class ElementBlocks {
     for (std::size_t b = 0; b < blocks_.blocks(); ++b)
       for (int i = 0; i < participants_; ++i)
         for (int lane = 0; lane < lanes; ++lane) {
-          const int particle = all.particle(elements[blocks_.element(b, lane)], i);
+          const int particle = particles[elements[blocks_.element(b, lane)] * participants_ + i];
           const std::size_t r = (b * participants_ + i) * lanes + lane;
           row_[r] = read(particle) * stride;
           pushed_row_[r] = pushed(particle) * stride;
@@ -93,11 +94,6 @@ class ElementBlocks {
   }
 
   int participants() const { return participants_; }
-  /// A participant of element e, in the order in which the elements are run.
-  int particle(std::size_t e, int participant) const {
-    const std::size_t lanes = blocks_.lanes();
-    return row_[(e / lanes * participants_ + participant) * lanes + e % lanes] / padded(dimension_);
-  }
 
   /// Each chunk pushes rows of its own from now on; `collect` adds them up. For all laws of a system, or for none.
   /// Returns the particles that each chunk touches.

@@ -27,6 +27,9 @@ class Neighbourhoods {
   /// The laws that act, each with all its elements in the order of the system, constants and parameters set.
   const std::vector<ElementBlocks<double>>& laws() const { return laws_; }
 
+  /// The particles of all elements of a law. Shape (elements, participants).
+  std::span<const int> particles_of(std::size_t law) const { return particles_[law]; }
+
   /// The elements of a law that a particle takes part in, ascending.
   std::span<const int> elements_of(std::size_t law, int particle) const {
     return elements_[law].of(particle);
@@ -43,14 +46,15 @@ class Neighbourhoods {
       return {entries.data() + first[particle], entries.data() + first[particle + 1]};
     }
   };
-  Lists elements_of_law(const ElementBlocks<double>& law) const;
+  Lists elements_of_law(std::size_t law) const;
   Lists all_neighbours() const;
 
   int dimension_;
   const KernelTable<double>& table_;
   std::vector<double> inverse_mass_;
   std::vector<ElementBlocks<double>> laws_;
-  std::vector<Lists> elements_;  // of each law
+  std::vector<std::vector<int>> particles_;  // of each law
+  std::vector<Lists> elements_;              // of each law
   Lists neighbours_;
 };
 

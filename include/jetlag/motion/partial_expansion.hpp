@@ -56,6 +56,7 @@ class PartialExpansion {
 
  private:
   std::vector<int> touched_elements(std::size_t law, std::vector<int>& places);
+  void sort(std::vector<int>& numbers, std::size_t end);
   MotionRows<double> motion(int k, double time) {
     return {x_.data() + k * rows_ * stride_, v_.empty() ? nullptr : v_.data() + k * rows_ * stride_,
             rows_ * stride_, time, 1.0};
@@ -69,6 +70,7 @@ class PartialExpansion {
   bool reads_velocity_ = false;
   std::vector<int> active_, known_;
   std::size_t rows_ = 1;
+  std::vector<std::uint64_t> bits_;
   std::vector<double> push_;          // 1/m of the active particles, one a padded component
   AlignedVector<double> x_, v_;       // [order][row][padded component]; v_ only where a law reads velocities
   std::vector<double> shift_, copy_;  // of each component of the known rows; of the last of them

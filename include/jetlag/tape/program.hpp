@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
 #include <cstddef>
 #include <memory>
@@ -122,13 +123,14 @@ class Blocks {
     count_ = elements.size();
     if (other_lanes) choose_kernels();
     const std::size_t n = lanes(), from_lanes = all.lanes(), slots = program_.statics;
+    const int shift = std::countr_zero(from_lanes);  // lanes are a power of two
     bool moved = grow(statics_, blocks() * slots * n);
     moved |= grow(scratch_, chunks() * scratch_of_a_chunk());
     moved |= grow(history_, blocks() * program_.histories * capacity_ * n);
     for (std::size_t b = 0; b < blocks(); ++b)
       for (std::size_t lane = 0; lane < n; ++lane) {
         const std::size_t e = elements[element(b, static_cast<int>(lane))];
-        const T* from = all.statics_.data() + e / from_lanes * slots * from_lanes + e % from_lanes;
+        const T* from = all.statics_.data() + (e >> shift) * slots * from_lanes + (e & (from_lanes - 1));
         T* to = statics_.data() + b * slots * n + lane;
         for (std::size_t slot = 0; slot < slots; ++slot) to[slot * n] = from[slot * from_lanes];
       }
