@@ -41,19 +41,59 @@ LastTwo::LastTwo(double tolerance, double max_step) : tolerance_(tolerance), max
   require_positive("max_step", max_step, true);
 }
 
+namespace {
+
+/// Whether last_two_step allows a step: its two rules without logarithms, for the many particles that do not decide.
+class Allowed {
+ public:
+  Allowed(int degree, double tolerance, double h)
+      : degree_(degree), tolerance_(tolerance), h_(h), s_(h / 0.7) {
+    for (int i = 0; i < 2; ++i) power_[i] = std::pow(s_, degree - 1 + i);
+  }
+  bool operator()(const LastTwoSizes& c) const {
+    const bool drifts = c.first[0] * h_ * h_ <= 1e-6 * tolerance_;
+    const double force = s_ * s_ * std::max(2 * c.first[0], 6 * c.first[1] * s_);
+    for (int i = 0; i < 2; ++i) {
+      const int k = degree_ - 1 + i;
+      const double term = c.last[i] * power_[i];
+      if (k >= 1 && !(term <= tolerance_)) return false;
+      if (k > 3 && !drifts && !(k * (k - 1) * term <= force)) return false;
+    }
+    return true;
+  }
+
+ private:
+  int degree_;
+  double tolerance_, h_, s_, power_[2];
+};
+
+}  // namespace
+
 double LastTwo::propose(const Prospect& prospect) {
   const Expansion<double>& series = prospect.series;
   const double unit = series.time_unit();
   const int degree = prospect.law.max_degree();
-  const int orders[4] = {2, 3, degree - 1, degree};
+  const auto rows = [&](int k) { return series.position(std::clamp(k, 0, series.order())); };
+  const CoefficientView<double> c[4] = {rows(2), rows(3), rows(degree - 1), rows(degree)};
+  const auto size = [&](int j, int i) {
+    double most = 0;
+    for (int d = 0; d < series.dimension(); ++d) {
+      const double x = std::abs(c[j](i, d));
+      if (x != x) return x;
+      most = std::max(most, x);
+    }
+    return most;
+  };
   double h = max_step_ / unit;
+  Allowed allowed(degree, tolerance_, h);
   for (int i = 0; i < series.particles(); ++i) {
-    double size[4];
-    for (int j = 0; j < 4; ++j)
-      size[j] = orders[j] < 0 || orders[j] > series.order()
-                    ? 0.0
-                    : series.position(orders[j]).row(i).cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
-    h = std::min(h, last_two_step({degree, {size[0], size[1]}, {size[2], size[3]}}, tolerance_));
+    const LastTwoSizes sizes{
+        degree, {size(0, i), series.order() < 3 ? 0.0 : size(1, i)}, {size(2, i), size(3, i)}};
+    if (std::isfinite(h) && allowed(sizes)) continue;
+    const double own = last_two_step(sizes, tolerance_);
+    if (!(own < h)) continue;
+    h = own;
+    allowed = Allowed(degree, tolerance_, h);
   }
   return std::min(h * unit, max_step_);
 }
