@@ -63,7 +63,7 @@ TEST(BlockSteps, OfEqualLengthAreLockstep) {
     }
 }
 
-TEST(BlockSteps, AreAtMostOneLevelCoarserThanANeighboursWhenChosen) {
+TEST(BlockSteps, ChooseLevelsThatNestAndAreAtMostOneCoarserThanANeighbours) {
   constexpr int moving = 32;
   const Scene scene = stiff_spot_in_a_chain(moving, 1e4);
   for (int grading : {1, 2}) {
@@ -74,11 +74,14 @@ TEST(BlockSteps, AreAtMostOneLevelCoarserThanANeighboursWhenChosen) {
     int finest = 0, coarsest = 99, worst = 0;
     std::vector<std::uint64_t> updates(moving + 2, 0);
     RunOptions run;
-    run.after_step = [&](const StepView&) {
+    run.after_step = [&](const StepView& view) {
       for (int i = 1; i <= moving; ++i) {
         finest = std::max(finest, schedule.level_of(i));
         coarsest = std::min(coarsest, schedule.level_of(i));
         if (std::exchange(updates[i], schedule.updates_of(i)) == schedule.updates_of(i)) continue;
+        // The longest step is the run, 1 s: a step of level l begins at a multiple of 2^-l.
+        const double begin = std::ldexp(view.begin, schedule.level_of(i));
+        EXPECT_EQ(begin, std::round(begin));
         for (int n : {i - 1, i + 1})
           if (n >= 1 && n <= moving) worst = std::max(worst, schedule.level_of(n) - schedule.level_of(i));
       }
