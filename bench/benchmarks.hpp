@@ -8,11 +8,12 @@
 
 namespace jetlag::bench {
 
-void register_expansion();  // BM_Expansion/<scene>/<degree>
-void register_restart();    // BM_Restart/<scene>/<degree>, BM_RestartTape/<scene>/<degree>
-void register_adolc();      // BM_ExpansionAdolC/<scene>/<degree>, nothing without ADOL-C
-void register_engine();     // engine/<what>: one table of the engine's speed
-void register_step();       // BM_Step/<method>/<scene>
+void register_expansion();   // BM_Expansion/<scene>/<degree>
+void register_restart();     // BM_Restart/<scene>/<degree>, BM_RestartTape/<scene>/<degree>
+void register_adolc();       // BM_ExpansionAdolC/<scene>/<degree>, nothing without ADOL-C
+void register_engine();      // engine/<what>: one table of the engine's speed
+void register_step();        // BM_Step/<method>/<scene>
+void register_asynchrony();  // BM_Asynchrony/<scene>/<degree>, BM_EventQueue/<clocks>
 
 /// Counters of a run whose iteration expands the whole scene once: elements, and the time for each of them.
 inline void count_elements(benchmark::State& run, const Scene& scene) {

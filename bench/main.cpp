@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
   register_restart();
   register_adolc();
   register_step();
+  register_asynchrony();
   register_engine();
 
   // Short repetitions in random order, of which the fastest counts: what disturbs one spares the others.

@@ -30,6 +30,9 @@ struct Continuation {
 }  // namespace
 
 int orders_for_errors(const TruncationLaw& law) {
+  if (law.weighting() != Weighting::coupled_sum && !law.is_fixed())
+    throw std::invalid_argument(law.name() +
+                                ": the variance of single terms is not forecast; take another control");
   const int m = law.min_degree(), n = law.max_degree();
   return m == n ? n : std::min(n, std::max(m + 1, 4));
 }

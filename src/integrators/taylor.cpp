@@ -84,6 +84,7 @@ RandomTaylor::RandomTaylor(const System<double>& system, Truncation law, std::un
   if (options_.compensated && options_.velocity == VelocitySeries::derivative && law_.min_degree() == 0)
     throw std::invalid_argument(
         "RandomTaylor: compensated sums of velocities from the derivative need a min_degree of at least 1");
+  control_->orders_read(law_, options_.velocity);  // refuses a law that it cannot forecast
   degree_.resize(options_.shared_draw ? 1 : system.particles());
   // The 0 after the last: with `derivative` a series of velocities begins at weight 1.
   weights_.assign(stride_ * (weights_differ_ ? degree_.size() : 1), 0.0);

@@ -48,6 +48,10 @@ struct Method {
 };
 Method read_method(const Value& scene, std::shared_ptr<const System<double>> system, std::uint64_t seed);
 
+/// The same where the schedule has a clock for each particle: "control" may be left out.
+Method read_clocks(const Value& scene, const Value& schedule, std::shared_ptr<const System<double>> system,
+                   std::uint64_t seed);
+
 /// Runs f; a std::invalid_argument becomes a SceneError about `value`.
 template <class F>
 auto checked(const Value& value, F f) {

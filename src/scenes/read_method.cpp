@@ -6,6 +6,7 @@
 #include "jetlag/control/fixed_step.hpp"
 #include "jetlag/control/halve_double.hpp"
 #include "jetlag/control/jorba_zou.hpp"
+#include "jetlag/control/last_two.hpp"
 #include "jetlag/control/variance_target.hpp"
 #include "jetlag/integrators/leapfrog.hpp"
 #include "jetlag/integrators/taylor.hpp"
@@ -36,6 +37,11 @@ std::unique_ptr<Control> read_jorba_zou(const Value& control, const TruncationLa
   return std::make_unique<JorbaZou>(read_max_step(control));
 }
 
+std::unique_ptr<Control> read_last_two(const Value& control, const TruncationLaw&) {
+  control.only({"type", "max_step", "tolerance", "courant"});
+  return std::make_unique<LastTwo>(control.at("tolerance").number(positive), read_max_step(control));
+}
+
 std::unique_ptr<Control> read_variance(const Value& control, const TruncationLaw&) {
   control.only({"type", "step", "max_step", "tolerance_random", "tolerance_bias", "courant"});
   return std::make_unique<VarianceTarget>(control.at("step").number(positive), read_max_step(control),
@@ -58,6 +64,7 @@ struct ControlReader {
 };
 constexpr ControlReader controls[] = {{"fixed", read_fixed},
                                       {"jorba_zou", read_jorba_zou},
+                                      {"last_two", read_last_two},
                                       {"variance", read_variance},
                                       {"halve_double", read_halve_double}};
 
@@ -93,9 +100,14 @@ std::unique_ptr<Control> read_control(const Value& control, const TruncationLaw&
 
 // ---- integrators -----------------------------------------------------------------------------------------
 
+/// The tolerance of jorba_zou, which stands for a degree.
+std::optional<Value> tolerance_of_degree(const Value& control) {
+  return control.at("type").text() == "jorba_zou" ? control.find("tolerance") : std::nullopt;
+}
+
 /// "degree", or what a tolerance of jorba_zou asks for.
 int read_degree(const Value& integrator, const Value& control) {
-  const auto tolerance = control.find("tolerance");
+  const auto tolerance = tolerance_of_degree(control);
   if (!tolerance) return static_cast<int>(integrator.at("degree").integer(1, largest_degree));
   if (integrator.has("degree"))
     tolerance->refuse("left out where integrator.degree is given: one follows from the other");
@@ -165,7 +177,7 @@ void require_control_for(const Truncation& law, const Value& control) {
 IntegratorFactory read_random_taylor(const MethodArguments& arguments) {
   const Value& integrator = arguments.integrator;
   const Truncation law = read_truncation(integrator);
-  if (const auto tolerance = arguments.control.find("tolerance"))
+  if (const auto tolerance = tolerance_of_degree(arguments.control))
     tolerance->refuse("left out for random_taylor, whose degrees are given");
   require_control_for(law, arguments.control);
   const bool shared_draw = integrator.at("shared_draw", true).boolean();
@@ -199,7 +211,9 @@ constexpr IntegratorReader integrators[] = {
 
 Method read_method(const Value& scene, std::shared_ptr<const System<double>> system, std::uint64_t seed) {
   const Value schedule = scene.at("schedule", Json{{"type", "lockstep"}});
-  schedule.only({"type", "max_steps", "threads"}).at("type", "lockstep").one_of({"lockstep"});
+  if (schedule.at("type", "lockstep").one_of({"lockstep", "block", "asynchronous"}) != "lockstep")
+    return read_clocks(scene, schedule, std::move(system), seed);
+  schedule.only({"type", "max_steps", "threads"});
   const auto most = std::numeric_limits<std::int64_t>::max();
   const auto max_steps = schedule.has("max_steps") ? schedule.at("max_steps").integer(1, most) : most;
 

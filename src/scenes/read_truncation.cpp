@@ -23,8 +23,11 @@ TruncationLaw read_geometric_law(const Value& integrator) {
   const auto [m, n] = read_degrees(integrator);
   if (const auto base = integrator.find("base")) {
     if (integrator.has("probability")) base->refuse("left out where integrator.probability is given");
+    const auto whole = static_cast<double>(base->integer(2, 1'000'000));
     return checked(*base, [&, m = m, n = n] {
-      return geometric(m, n, 1.0 - 1.0 / static_cast<double>(base->integer(2, 1'000'000)));
+      std::vector<double> tail(n + 1, 1.0);  // not by 1 - (1 - 1/base), which loses digits
+      for (int k = m + 1; k <= n; ++k) tail[k] = tail[k - 1] / whole;
+      return TruncationLaw("geometric", std::move(tail));
     });
   }
   const Value p = integrator.at("probability", 0.5);
@@ -66,11 +69,9 @@ Truncation read_variance_capped(const Value& integrator) {
   const Value terms = integrator.at("terms"), cap = integrator.at("max_variance");
   const auto values = read_numbers(terms, any_number, 2);
   const double most = cap.number(positive);
-  return checked(terms, [&] {
-    const TruncationLaw law = variance_capped(values, most);
-    if (law.min_degree() < 1) throw std::invalid_argument("at this max_variance P(K >= 1) would be below 1");
-    return law;
-  });
+  const TruncationLaw law = checked(terms, [&] { return variance_capped(values, most); });
+  if (law.min_degree() < 1) cap.refuse("smaller: with these terms P(K >= 1) would be below 1");
+  return law;
 }
 
 Truncation read_sequential(const Value& integrator) {

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "schedule/event_watch.hpp"
+#include "schedule/frames.hpp"
 
 namespace jetlag {
 
@@ -11,6 +12,7 @@ Report Lockstep::run(State<double>& state, double until, const RunOptions& optio
   if (!(until >= state.time))
     throw std::invalid_argument("run: until must not lie before the time of the state");
   EventWatch events(options, state);
+  Frames frames(options, state.time);
   double lost = 0;  // what rounding has cut from state.time
   for (std::uint64_t step = 0; state.time < until; ++step) {
     if (step >= options.max_steps)
@@ -35,7 +37,12 @@ Report Lockstep::run(State<double>& state, double until, const RunOptions& optio
       if (report.outcome != Outcome::success && report.outcome != Outcome::event) return report;
       if (state.time != end) lost = lost_before;  // the step ends at an event, by the clock of its beginning
     }
-    const bool go_on = !options.after_step || options.after_step({*integrator_, state, begin});
+    if (frames.wants(state.time)) {
+      const Piece piece = integrator_->piece();
+      frames.up_to(state.time, [&](double t) { return t == state.time ? state : piece.at(t); });
+    }
+    const bool go_on = (!options.after_step || options.after_step({*integrator_, state, begin})) &&
+                       (!options.go_on || options.go_on(state.time));
     if (report.outcome == Outcome::event) return report;
     if (!go_on) return {Outcome::interrupted, "stopped at t = " + std::to_string(state.time), -1};
   }

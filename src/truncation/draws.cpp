@@ -35,7 +35,13 @@ Draws::Draws(Draw kind, const TruncationLaw* law, std::uint64_t seed, std::uint3
         "stratified: strata are over particles, and one draw is all there is; let each particle draw, or "
         "take "
         "other draws");
-  if (kind != Draw::ruler && kind != Draw::scrambled_ruler) return;
+  if (kind != Draw::ruler && kind != Draw::scrambled_ruler) {
+    if (law != nullptr && law->at_least(law->max_degree()) < least_probability)
+      throw std::invalid_argument(law->name() + ": degree " + std::to_string(law->max_degree()) +
+                                  " has a probability below " + std::to_string(least_probability * 1e18) +
+                                  "e-18 and would never be drawn; take a smaller max_degree");
+    return;
+  }
   if (law == nullptr)
     throw std::invalid_argument(
         "ruler: the probabilities of a sequential law are not known beforehand; take other draws");

@@ -25,8 +25,8 @@ inline std::array<std::uint64_t, 2> random_bits(std::uint64_t seed, std::uint32_
           (static_cast<std::uint64_t>(bits[2]) << 32) | bits[3]};
 }
 
-/// From 64 bits to (0, 1], multiples of 2^-53.
-inline double to_unit(std::uint64_t bits) { return static_cast<double>((bits >> 11) + 1) * 0x1p-53; }
+/// From 64 bits to (0, 1]: a multiple of 2^-64, rounded to a double, so that small numbers have all their digits.
+inline double to_unit(std::uint64_t bits) { return (static_cast<double>(bits) + 1.0) * 0x1p-64; }
 
 /// From 64 bits to 0 .. n-1, each with a probability of 1/n to 2^-64.         Source: Lemire 2019, without rejection.
 inline std::uint64_t below(std::uint64_t n, std::uint64_t bits) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "jetlag/truncation/draws.hpp"
+
 namespace jetlag {
 
 SequentialLaw::SequentialLaw(std::string name, int min_degree, int max_degree, double least, Rule rule)
@@ -21,7 +23,9 @@ SequentialLaw::SequentialLaw(std::string name, int min_degree, int max_degree, d
 
 double SequentialLaw::go_on(int n, std::span<const double> sizes, double weight) const {
   const double p = rule_(n, sizes, weight);
-  return p > least_ ? std::min(p, 1.0) : least_;
+  // Not less than what a uniform number can tell.
+  const double floor = std::max(least_, std::min(1.0, least_probability * weight));
+  return p > floor ? std::min(p, 1.0) : floor;
 }
 
 TruncationLaw SequentialLaw::given(std::span<const double> terms) const {
@@ -36,7 +40,7 @@ TruncationLaw SequentialLaw::given(std::span<const double> terms) const {
 
 TruncationLaw SequentialLaw::lower_bound() const {
   std::vector<double> tail(max_ + 1, 1.0);
-  for (int n = min_ + 1; n <= max_; ++n) tail[n] = tail[n - 1] * least_;
+  for (int n = min_ + 1; n <= max_; ++n) tail[n] = std::max(tail[n - 1] * least_, least_probability);
   return {name_, std::move(tail)};
 }
 

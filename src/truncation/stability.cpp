@@ -23,7 +23,12 @@ using Real = long double;
 using Complex = std::complex<Real>;
 using Matrix = Eigen::Matrix<Real, 2, 2>;
 
-double probability(const TruncationLaw& law, int k) { return law.at_least(k) - law.at_least(k + 1); }
+/// Growth is known for coupled sums.
+void require_coupled(const TruncationLaw& law) {
+  if (law.weighting() != Weighting::coupled_sum && !law.is_fixed())
+    throw std::invalid_argument(law.name() +
+                                ": stability is known for coupled sums only, not for single terms");
+}
 
 // ---- one eigenvalue ---------------------------------------------------------------------------------------
 
@@ -33,6 +38,7 @@ struct Departures {
 };
 
 Departures departures(const TruncationLaw& law, const Complex& z) {
+  require_coupled(law);
   const int n = law.max_degree(), m = law.min_degree();
   std::vector<Complex> term(n + 1, Complex(1));
   for (int j = 1; j <= n; ++j) term[j] = term[j - 1] * z / static_cast<Real>(j);
@@ -46,7 +52,7 @@ Departures departures(const TruncationLaw& law, const Complex& z) {
   Complex above = 0;
   for (int k = m; k <= n; ++k) {
     above += (1 / static_cast<Real>(law.at_least(k)) - 1) * term[k];
-    if (const double p = probability(law, k); p > 0) d.of.emplace_back(p, back * (above - beyond[k]));
+    if (const double p = law.exactly(k); p > 0) d.of.emplace_back(p, back * (above - beyond[k]));
   }
   return d;
 }
@@ -73,6 +79,7 @@ struct Steps {
 };
 
 Steps steps(const TruncationLaw& law, Real frequency, Real damping, Real h) {
+  require_coupled(law);
   const int n = law.max_degree(), m = law.min_degree();
   Matrix generator;  // of (frequency q, v), where its powers do not cancel
   generator << 0, frequency * h, -frequency * h, -damping * h;
@@ -92,7 +99,7 @@ Steps steps(const TruncationLaw& law, Real frequency, Real damping, Real h) {
     const Real excess = 1 / static_cast<Real>(law.at_least(k)) - 1;
     above.row(0) += excess * term[k].row(0);
     if (k > 0) above.row(1) += excess * term[k - 1].row(1);
-    if (const double p = probability(law, k); k >= m && p > 0) {
+    if (const double p = law.exactly(k); k >= m && p > 0) {
       Matrix difference = above;
       difference.row(0) -= from[k + 1].row(0);
       difference.row(1) -= from[k].row(1);

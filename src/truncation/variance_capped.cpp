@@ -57,10 +57,12 @@ TruncationLaw variance_capped(std::span<const double> terms, double max_variance
     if (!(increments[n] > 0.0) || !std::isfinite(increments[n]))
       refuse("increment " + std::to_string(n) + " of the cost must be > 0 and finite");
 
+  double size = 0;  // the largest term: in its unit nothing under- or overflows
+  for (std::size_t n = 1; n < count; ++n) size = std::max(size, std::abs(terms[n]));
   std::vector<double> nu(count);
   double tail_sum = 0, after = 0;  // S_n, S_{n+1}
   for (std::size_t n = count; n-- > 1;) {
-    tail_sum += terms[n];
+    tail_sum += terms[n] / size;
     nu[n] = (tail_sum - after) * (tail_sum + after);
     after = tail_sum;
   }

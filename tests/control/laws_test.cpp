@@ -15,6 +15,7 @@
 #include "jetlag/control/fixed_step.hpp"
 #include "jetlag/control/halve_double.hpp"
 #include "jetlag/control/jorba_zou.hpp"
+#include "jetlag/control/last_two.hpp"
 #include "jetlag/control/variance_target.hpp"
 #include "jetlag/integrators/taylor.hpp"
 #include "support/scenes_for_tests.hpp"
@@ -53,6 +54,10 @@ const std::vector<Member> members = {
     {"JorbaZou",  // its tolerance is the degree
      [](const TruncationLaw&, double, double max_step, double) {
        return std::make_unique<JorbaZou>(max_step);
+     }},
+    {"LastTwo",
+     [](const TruncationLaw&, double error, double max_step, double) {
+       return std::make_unique<LastTwo>(error, max_step);
      }},
     {"HalveDouble",
      [](const TruncationLaw& law, double error, double max_step, double unit) {

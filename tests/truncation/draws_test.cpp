@@ -27,7 +27,7 @@ double chi_squared_limit(int degrees_of_freedom) {
 
 TEST(Uniform, IsPhilox) {
   // Known answer of Philox4x32-10 for counter 0 and key 0 [Random123, kat_vectors]: 6627e8d5 e169c58d ...
-  EXPECT_EQ(uniform(0, 0, 0), static_cast<double>((0x6627e8d5e169c58dull >> 11) + 1) * 0x1p-53);
+  EXPECT_EQ(uniform(0, 0, 0), (static_cast<double>(0x6627e8d5e169c58dull) + 1) * 0x1p-64);
 }
 
 TEST(Uniform, LiesAboveZeroAndUpToOne) {

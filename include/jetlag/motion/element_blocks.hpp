@@ -65,6 +65,36 @@ class ElementBlocks {
     order_ = {};  // not needed any more
   }
 
+  /// The tape of `all`, over none of its elements yet: `take` chooses them. Room for so many orders.
+  static ElementBlocks none_of(const ElementBlocks& all, int capacity) {
+    ElementBlocks none(&all);
+    none.reserve(capacity);
+    return none;
+  }
+
+  /// Runs some elements of `all` from now on, in the order given; `all` has the elements in the order of the system.
+  /// particles: of all elements, shape (elements of all, participants). read(particle), pushed(particle): the row that is
+  /// read, and the row onto which the force is added.
+  template <class Read, class Pushed>
+  void take(const ElementBlocks& all, std::span<const int> particles, std::span<const int> elements,
+            const KernelTable<T>& table, const Read& read, const Pushed& pushed) {
+    blocks_.take(all.blocks_, elements, table.fitting(elements.size()));
+    const int lanes = blocks_.lanes(), stride = padded(dimension_);
+    if (waste_.size() < blocks_.chunks() * lanes) waste_.resize(blocks_.chunks() * lanes);
+    row_.resize(blocks_.blocks() * participants_ * lanes);
+    pushed_row_.resize(row_.size());
+    for (std::size_t b = 0; b < blocks_.blocks(); ++b)
+      for (int i = 0; i < participants_; ++i)
+        for (int lane = 0; lane < lanes; ++lane) {
+          const int particle = particles[elements[blocks_.element(b, lane)] * participants_ + i];
+          const std::size_t r = (b * participants_ + i) * lanes + lane;
+          row_[r] = read(particle) * stride;
+          pushed_row_[r] = pushed(particle) * stride;
+        }
+  }
+
+  int participants() const { return participants_; }
+
   /// Each chunk pushes rows of its own from now on; `collect` adds them up. For all laws of a system, or for none.
   /// Returns the particles that each chunk touches.
   std::vector<std::vector<int>> push_apart(int particles) {
@@ -161,6 +191,13 @@ class ElementBlocks {
   }
 
  private:
+  explicit ElementBlocks(const ElementBlocks* all)
+      : dimension_(all->dimension_),
+        participants_(all->participants_),
+        blocks_(all->blocks_.program(), 0, {}, all->blocks_.table()),
+        time_(all->time_),
+        inputs_(all->inputs_) {}
+
   /// The positions, velocities or separations of one participant; components that no rule reads go to waste.
   struct InputRows {
     Input::Kind kind;

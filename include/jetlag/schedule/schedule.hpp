@@ -14,9 +14,9 @@ namespace jetlag {
 
 /// What an observer sees after each step.
 struct StepView {
-  const Integrator& integrator;  // piece() is the motion during this step, work() the cost so far
-  const State<double>& state;    // at the end of the step
-  double begin;                  // [s]
+  const LastStep& integrator;  // piece() is the motion during this step, work() the cost so far
+  const State<double>& state;  // at the end of the step
+  double begin;                // [s]
 };
 
 struct RunOptions {
@@ -27,8 +27,17 @@ struct RunOptions {
   /// Where every hit is appended, in order of time; null: nowhere.
   std::vector<EventHit>* hits = nullptr;
 
-  /// Called after every step, after its events; returning false ends the run as `interrupted`.
+  /// Called after every step, after its events; returning false ends the run as `interrupted`. With a clock for each
+  /// particle the state is put together for it: that costs O(particles) a step, and nothing where nobody asks.
   std::function<bool(const StepView&)> after_step;
+
+  /// As after_step, but told the time only, which costs nothing.
+  std::function<bool(double time)> go_on;
+
+  /// Times [s], ascending, beyond the beginning of the run, at which the state is wanted; and who gets it. It is taken
+  /// from the motion itself: no step ends there for its sake.
+  std::vector<double> frame_times;
+  std::function<void(const State<double>&)> at_frame;
 };
 
 class Schedule {

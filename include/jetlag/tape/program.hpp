@@ -12,10 +12,12 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
 #include <cstddef>
 #include <memory>
 #include <new>
+#include <span>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -110,9 +112,29 @@ class Blocks {
         table_->rule[instruction.rule](0, 1, operands.data());
       }
     }
-    for (const Instruction& instruction : program_.instructions)
-      steps_.push_back({table_->rule[instruction.rule], static_cast<int>(instruction.operands.size()),
-                        instruction.only_at_order_0, instruction.coupled});
+    choose_kernels();
+  }
+
+  /// Becomes the blocks of some elements of `all`, which has the same program, with their constants and parameters and
+  /// room for as many orders as before. What has been computed is lost; storage once made is kept for the next time.
+  void take(const Blocks& all, std::span<const int> elements, const KernelTable<T>& table) {
+    const bool other_lanes = table_ != &table;
+    table_ = &table;
+    count_ = elements.size();
+    if (other_lanes) choose_kernels();
+    const std::size_t n = lanes(), from_lanes = all.lanes(), slots = program_.statics;
+    const int shift = std::countr_zero(from_lanes);  // lanes are a power of two
+    bool moved = grow(statics_, blocks() * slots * n);
+    moved |= grow(scratch_, chunks() * scratch_of_a_chunk());
+    moved |= grow(history_, blocks() * program_.histories * capacity_ * n);
+    for (std::size_t b = 0; b < blocks(); ++b)
+      for (std::size_t lane = 0; lane < n; ++lane) {
+        const std::size_t e = elements[element(b, static_cast<int>(lane))];
+        const T* from = all.statics_.data() + (e >> shift) * slots * from_lanes + (e & (from_lanes - 1));
+        T* to = statics_.data() + b * slots * n + lane;
+        for (std::size_t slot = 0; slot < slots; ++slot) to[slot * n] = from[slot * from_lanes];
+      }
+    if (other_lanes || moved || operands_.size() < blocks() * operands_of_a_block_) find_operands();
   }
 
   // Operands point into the storage: it may be moved, not copied.
@@ -151,11 +173,7 @@ class Blocks {
       std::copy_n(history_.begin() + s * old, old, wider.begin() + s * capacity * lanes());
     history_ = std::move(wider);
     capacity_ = capacity;
-    operands_.clear();
-    for (std::size_t b = 0; b < blocks(); ++b)
-      for (const Instruction& instruction : program_.instructions)
-        for (Place place : instruction.operands) operands_.push_back(operand(b, place));
-    operands_of_a_block_ = blocks() == 0 ? 0 : operands_.size() / blocks();
+    find_operands();
   }
   int capacity() const { return capacity_; }
 
@@ -194,6 +212,30 @@ class Blocks {
 
  private:
   static constexpr std::size_t most_operands = detail::most_operands(Rules{});  // the result among them
+
+  void choose_kernels() {
+    steps_.clear();
+    operands_of_a_block_ = 0;
+    for (const Instruction& instruction : program_.instructions) {
+      steps_.push_back({table_->rule[instruction.rule], static_cast<int>(instruction.operands.size()),
+                        instruction.only_at_order_0, instruction.coupled});
+      operands_of_a_block_ += instruction.operands.size();
+    }
+  }
+
+  void find_operands() {
+    operands_.clear();
+    for (std::size_t b = 0; b < blocks(); ++b)
+      for (const Instruction& instruction : program_.instructions)
+        for (Place place : instruction.operands) operands_.push_back(operand(b, place));
+  }
+
+  /// At least so long; whether it has moved.
+  static bool grow(AlignedVector<T>& storage, std::size_t size) {
+    const T* before = storage.data();
+    if (storage.size() < size) storage.resize(size);
+    return storage.data() != before;
+  }
 
   std::size_t scratch_of_a_chunk() const {
     return 2 * static_cast<std::size_t>(program_.scratches) * lanes();

@@ -4,7 +4,8 @@
 //
 // Invariants, tested for every member of the family:
 //   - a draw depends on (seed, particle, update) alone: the same key, the same number, whatever the order of execution;
-//   - over seeds, every single draw is uniform (on 2^53 points), so every update is unbiased.
+//   - over seeds, every single draw is uniform on the 2^64 multiples of 2^-64 (rounded to doubles), so every update is
+//     unbiased, to a relative 2^-64 / P(K >= n) of term n: laws with P(K >= n) < least_probability are refused.
 // They differ in how the draws of different updates or particles go together. Equidistributed ones make the debts and
 // gifts of successive updates, w_n - 1 for term n, cancel: what a fixed degree loses every step, and independent draws
 // let walk, stays bounded. But a regular draw may resonate with the motion: see ruler().
@@ -21,7 +22,10 @@ namespace jetlag {
 /// The key of a draw that all particles of an update share.
 inline constexpr std::uint32_t shared_by_all = 0xffffffffu;
 
-/// A uniform number on (0, 1], 53 bits. Source: Philox4x32-10, Salmon et al. 2011 (Random123).
+/// The smallest P(K >= n) that is drawn from uniform numbers: its error is then below 1 %. Rulers know no such limit.
+inline constexpr double least_probability = 0x1p-57;
+
+/// A uniform number on (0, 1]: a multiple of 2^-64, rounded. Source: Philox4x32-10, Salmon et al. 2011 (Random123).
 double uniform(std::uint64_t seed, std::uint32_t particle, std::uint64_t update);
 
 /// A normal number of mean 0 and variance 1, of another stream than `uniform`. Source: Box, Muller 1958.
@@ -32,7 +36,7 @@ double standard_normal(std::uint64_t seed, std::uint32_t particle, std::uint64_t
 /// Geometric laws with 1-p = phi^2 or phi^4 have bounded sums of w_n - 1.   Source: Kesten 1966 (bounded remainder).
 double rotation(std::uint64_t seed, std::uint32_t particle, std::uint64_t update);
 
-/// Antithetic pairs: updates 2n and 2n+1 use u and its mirror image in (0, 1], 1 - u + 2^-53.
+/// Antithetic pairs: updates 2n and 2n+1 use u and its mirror image in (0, 1], 1 - u + 2^-64.
 double antithetic(std::uint64_t seed, std::uint32_t particle, std::uint64_t update);
 
 /// Stratified over particles: within an update each of the `particles` draws from another of as many equal intervals,

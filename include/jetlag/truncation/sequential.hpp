@@ -24,8 +24,9 @@ class SequentialLaw {
   /// them.
   using Rule = std::function<double(int n, std::span<const double> sizes, double weight)>;
 
-  /// 0 <= min_degree <= max_degree, max_degree >= 1. least: what the rule gives is raised to it, so that weights stay
-  /// below least^-(max_degree - min_degree), which must be finite; in (0, 1]. Throws std::invalid_argument.
+  /// 0 <= min_degree <= max_degree, max_degree >= 1. least: what the rule gives is raised to it; in (0, 1]. Weights stay
+  /// below least^-(max_degree - min_degree), and below 1 / least_probability (truncation/draws.hpp): where they would
+  /// exceed it, the sum goes on surely. Throws std::invalid_argument.
   SequentialLaw(std::string name, int min_degree, int max_degree, double least, Rule rule);
 
   const std::string& name() const { return name_; }
@@ -39,7 +40,7 @@ class SequentialLaw {
   /// asked for); throws std::invalid_argument for fewer.
   TruncationLaw given(std::span<const double> terms) const;
 
-  /// The smallest tail the law may have, least^(n-m): what is known before any term.
+  /// The smallest tail the law may have, max(least^(n-m), least_probability): what is known before any term.
   TruncationLaw lower_bound() const;
 
  private:
@@ -56,7 +57,7 @@ class SequentialLaw {
 ///
 /// e_n: what the larger a of the last two terms says about the next, b that of the two before them (a series may have
 /// only even or only odd terms). target [unit of the terms], > 0.
-/// 1 <= min_degree <= max_degree; least: see SequentialLaw, 0.05 in 16 orders gives weights up to 1e20.
+/// 1 <= min_degree <= max_degree; least: see SequentialLaw.
 /// Source: throughput roulette of light transport; the prediction is ours.   Throws std::invalid_argument.
 SequentialLaw sequential(int min_degree, int max_degree, double target, double least = 0.05);
 

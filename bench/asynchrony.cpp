@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+// What do clocks of their own save? Block steps beside one clock, both run in turn on the same scene from the same state
+// with the same step rule, and the error of both; and what an event costs in the queue.
+//
+//   BM_Asynchrony/<scene>/<degree>   lockstep_over_block: wall time; elements_over: element coefficients;
+//                                    error_over: error of block steps over that of lockstep
+//   BM_EventQueue/<clocks>           the time of one event
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "benchmarks.hpp"
+#include "jetlag/control/fixed_step.hpp"
+#include "jetlag/control/last_two.hpp"
+#include "jetlag/forces/spring.hpp"
+#include "jetlag/schedule/block.hpp"
+#include "jetlag/schedule/event_queue.hpp"
+#include "jetlag/schedule/lockstep.hpp"
+#include "jetlag/truncation/draws.hpp"
+
+namespace jetlag::bench {
+
+namespace {
+
+/// A scene with a stiff part, the longest stable step of its soft part and a step that is exact for its stiff one.
+struct Uneven {
+  System<double> system;
+  State<double> state;
+  double until, max_step, exact_step;
+};
+
+/// F = k (1 + |d|^2) d.
+struct CubicSpring {
+  static constexpr const char* name = "cubic spring";
+  static constexpr int participants = 2;
+  static constexpr std::array parameters{"stiffness"};
+  template <class T, int D>
+  static Vector<T, D> force(const Participants<T, D, 2>& p, const T& stiffness) {
+    const Vector<T, D> d = p.position[1] - p.position[0];
+    return T(stiffness * (1.0 + d.squaredNorm())) * d;
+  }
+};
+
+/// 128 masses between walls; four of 129 springs are 1e4 times stiffer.
+Uneven chain() {
+  constexpr int moving = 128;
+  Uneven scene{System<double>(1, std::vector<double>(moving + 2, 1.0)),
+               {0.0, Coordinates<double>::Zero(moving + 2, 1), Coordinates<double>::Zero(moving + 2, 1)},
+               20,
+               1.25,
+               0.005};
+  scene.system.fix(0);
+  scene.system.fix(moving + 1);
+  std::vector<std::array<int, 2>> pairs;
+  std::vector<std::array<double, 1>> stiffness;
+  for (int i = 0; i <= moving; ++i) {
+    pairs.push_back({i, i + 1});
+    stiffness.push_back({i >= 60 && i < 64 ? 1e4 : 1.0});
+  }
+  scene.system.add<CubicSpring>(pairs, stiffness);
+  for (int i = 1; i <= moving; ++i)
+    scene.state.position(i, 0) = 0.1 * std::sin(std::numbers::pi * i / (moving + 1) * 2) +
+                                 0.02 * std::sin(std::numbers::pi * i / (moving + 1) * 9);
+  return scene;
+}
+
+/// 50 x 50 particles of 1 kg, 0.1 m apart, springs as in the scene `cloth` of 5 N/m; those within a square of 5 % are 1e3
+/// times stiffer. It begins flat, with a smooth velocity.
+Uneven cloth_with_a_stiff_patch() {
+  constexpr int side = 50, first = 16, last = 27;
+  constexpr double spacing = 0.1;
+  Uneven scene{System<double>(3, std::vector<double>(side * side, 1.0)),
+               {0.0, Coordinates<double>::Zero(side * side, 3), Coordinates<double>::Zero(side * side, 3)},
+               4,
+               0.25,
+               0.004};
+  const auto in_patch = [](int i) { return first <= i && i <= last; };
+  std::vector<std::array<int, 2>> pairs;
+  std::vector<std::array<double, 2>> springs;
+  for (int i = 0; i < side; ++i)
+    for (int j = 0; j < side; ++j) {
+      const double x = static_cast<double>(i) / side, y = static_cast<double>(j) / side,
+                   pi = std::numbers::pi;
+      scene.state.position.row(i * side + j) << spacing * i, spacing * j, 0.0;
+      scene.state.velocity.row(i * side + j) << 0.1 * std::sin(3 * y), 0.1 * std::cos(4 * x),
+          0.3 * std::sin(pi * x) * std::sin(2 * pi * y);
+      for (const auto& [a, b] : {std::pair(0, 1), {1, 0}, {1, 1}, {1, -1}, {0, 2}, {2, 0}}) {
+        const int k = i + a, l = j + b;
+        if (k >= side || l < 0 || l >= side) continue;
+        const bool stiff = in_patch(i) && in_patch(j) && in_patch(k) && in_patch(l);
+        pairs.push_back({i * side + j, k * side + l});
+        springs.push_back({stiff ? 5e3 : 5.0, spacing * std::hypot(a, b)});
+      }
+    }
+  scene.system.add<Spring>(pairs, springs);
+  return scene;
+}
+
+struct Measured {
+  double seconds;
+  std::uint64_t element_coefficients;
+  State<double> end;
+};
+template <class Make>
+Measured measured(const Uneven& scene, const Make& make) {
+  Measured result{0, 0, scene.state};
+  auto schedule = make();
+  const auto start = std::chrono::steady_clock::now();
+  schedule.run(result.end, scene.until, {});
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.element_coefficients = schedule.work().element_coefficients;
+  return result;
+}
+
+void asynchrony(benchmark::State& run, Uneven (*make)(), int degree, double tolerance) {
+  const Uneven scene = make();
+  const auto lockstep = [&] {
+    return Lockstep(taylor(scene.system, degree, std::make_unique<LastTwo>(tolerance, scene.max_step)));
+  };
+  const auto block = [&] {
+    BlockSteps::Options options;
+    options.tolerance = tolerance;
+    options.max_step = scene.max_step;
+    return BlockSteps(scene.system, degree, options);
+  };
+  const Measured truth = measured(scene, [&] {
+    return Lockstep(taylor(scene.system, 20, std::make_unique<FixedStep>(scene.exact_step)));
+  });
+  const auto error = [&](const Measured& m) {
+    return (m.end.position - truth.end.position).cwiseAbs().maxCoeff();
+  };
+  double one_clock = std::numeric_limits<double>::infinity(), many = one_clock;
+  for (auto _ : run) {
+    const Measured a = measured(scene, lockstep), b = measured(scene, block);
+    one_clock = std::min(one_clock, a.seconds);
+    many = std::min(many, b.seconds);
+    run.counters["elements_over"] =
+        static_cast<double>(a.element_coefficients) / static_cast<double>(b.element_coefficients);
+    run.counters["error_lockstep"] = error(a);
+    run.counters["error_over"] = error(b) / error(a);
+  }
+  run.counters["lockstep_over_block"] = one_clock / many;
+}
+
+/// Each event: the earliest clock is set to a later time, of up to 64 steps of the shortest.
+void event_queue(benchmark::State& run, int clocks) {
+  EventQueue queue(clocks);
+  for (int i = 0; i < clocks; ++i) queue.set(i, static_cast<EventQueue::Time>(1e6 * uniform(1, i, 0)));
+  constexpr int events = 1 << 16;
+  std::vector<EventQueue::Time> steps;
+  for (int i = 0; i < events; ++i)
+    steps.push_back(static_cast<EventQueue::Time>(1e4 * std::exp2(6 * uniform(2, i, 0))));
+  for (auto _ : run)
+    for (int i = 0; i < events; ++i) queue.set(queue.clock(), queue.time() + steps[i]);
+  using benchmark::Counter;
+  run.counters["items"] = events;
+  run.counters["per_event"] = Counter(events, Counter::kIsIterationInvariantRate | Counter::kInvert);
+}
+
+}  // namespace
+
+void register_asynchrony() {
+  struct Case {
+    const char* name;
+    Uneven (*make)();
+    int degree;
+    double tolerance;
+  };
+  for (const Case& c : {Case{"chain128", chain, 8, 1e-9},
+                        {"chain128", chain, 12, 1e-12},
+                        {"chain128", chain, 16, 1e-12},
+                        {"stiff_patch50", cloth_with_a_stiff_patch, 8, 1e-8},
+                        {"stiff_patch50", cloth_with_a_stiff_patch, 12, 1e-10},
+                        {"stiff_patch50", cloth_with_a_stiff_patch, 16, 1e-11}})
+    benchmark::RegisterBenchmark(
+        ("BM_Asynchrony/" + std::string(c.name) + "/" + std::to_string(c.degree)).c_str(), asynchrony, c.make,
+        c.degree, c.tolerance)
+        ->Unit(benchmark::kMillisecond);
+  for (int clocks : {1000, 100000})
+    benchmark::RegisterBenchmark(("BM_EventQueue/" + std::to_string(clocks)).c_str(), event_queue, clocks);
+}
+
+}  // namespace jetlag::bench

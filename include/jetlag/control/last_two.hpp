@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The step from the last two coefficients and a tolerance in metres: for one particle, and for all at once.
+
+#include <array>
+#include <functional>
+
+#include "jetlag/control/control.hpp"
+
+namespace jetlag {
+
+/// What the step of a particle is read from: the largest components of coefficients of its position.
+struct LastTwoSizes {
+  int degree;                   // N >= 1
+  std::array<double, 2> first;  // orders 2 and 3: the acceleration and its change
+  std::array<double, 2> last;   // orders N - 1 and N
+};
+
+/// The step at which the last two terms are below the tolerance,
+///
+///     h = 0.7 min_{k = N-1, N} (tolerance / |c_k|)^{1/k},
+///
+/// and where the acceleration moves the particle by more than a millionth of the tolerance, no longer than 0.7 times the
+/// step at which the last terms of the force reach the first ones, f_k = k (k - 1) c_k:
+///
+///     f_k h^{k-2} <= max(f_2, f_3 h),   k > 3.
+///
+/// The second rule keeps a step within the radius of convergence: without it particles that fall into each other would
+/// step over their collision as soon as they are nearer than the tolerance.         Source of the first: methods 15b.
+/// infinity where the last coefficients vanish; 0 where a size is not a number or infinite.
+double last_two_step(const LastTwoSizes& sizes, double tolerance);
+
+/// One step for all particles: the shortest of theirs.
+class LastTwo final : public Control {
+ public:
+  /// tolerance [m] > 0; max_step [s] > 0.   Throws std::invalid_argument.
+  explicit LastTwo(double tolerance, double max_step = std::numeric_limits<double>::infinity());
+  int orders_read(const TruncationLaw& law, VelocitySeries velocity) const override {
+    return law.max_degree() + (velocity == VelocitySeries::own_series ? 1 : 0);
+  }
+  double propose(const Prospect& prospect) override;
+  std::unique_ptr<Control> clone() const override { return std::make_unique<LastTwo>(*this); }
+
+ private:
+  double tolerance_, max_step_;
+};
+
+}  // namespace jetlag

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "jetlag/motion/partial_expansion.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+
+namespace jetlag {
+
+namespace {
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
+#define JETLAG_WIDE [[gnu::target_clones("avx512f", "avx2", "default")]]  // the same bits from all of them
+#else
+#define JETLAG_WIDE
+#endif
+
+constexpr int shift_width = 32;
+
+/// taylor_shift (series/polynomial.hpp) of shift_width polynomials side by side: c[k][i] -> c[k][i] about s[i].
+JETLAG_WIDE void shift_side_by_side(int order, const double* __restrict s, double* c,
+                                    std::size_t next_order) {
+  for (int first = 0; first < order; ++first)
+    for (int k = order; k > first; --k) {
+      double* __restrict low = c + (k - 1) * next_order;
+      const double* __restrict high = c + k * next_order;
+      for (int i = 0; i < shift_width; ++i) low[i] += s[i] * high[i];
+    }
+}
+
+}  // namespace
+
+PartialExpansion::PartialExpansion(std::shared_ptr<const Neighbourhoods> all, int order)
+    : all_(std::move(all)), order_(std::max(order, 2)), stride_(padded(all_->dimension())) {
+  for (const auto& law : all_->laws()) {
+    laws_.push_back(ElementBlocks<double>::none_of(law, order_ - 1));
+    reads_velocity_ = reads_velocity_ || law.reads_velocity();
+  }
+}
+
+/// The elements of a law that touch an active particle, ascending. Known particles are given their places.
+std::vector<int> PartialExpansion::touched_elements(std::size_t law, std::vector<int>& places) {
+  const auto particles = all_->particles_of(law);
+  const int active = static_cast<int>(active_.size()), participants = laws_[law].participants();
+  std::vector<int> touched;
+  for (int a : active_)
+    for (int e : all_->elements_of(law, a)) {
+      const int* members = &particles[e * participants];
+      if (participants == 2) {
+        const int other = members[0] == a ? members[1] : members[0];
+        if (places[other] < 0) {
+          places[other] = active + 1 + static_cast<int>(known_.size());
+          known_.push_back(other);
+        } else if (members[1] == a && places[other] < active) {
+          continue;  // the first participant is active too, and brings it
+        }
+      }
+      touched.push_back(e);
+    }
+  sort(touched, particles.size() / participants);
+  return touched;
+}
+
+/// Distinct numbers below `end`, ascending; where they are many in a table of bits.
+void PartialExpansion::sort(std::vector<int>& numbers, std::size_t end) {
+  const std::size_t words = end / 64 + 1;
+  if (numbers.size() < words / 4 + 16) {
+    if (!std::ranges::is_sorted(numbers)) std::ranges::sort(numbers);
+    return;
+  }
+  bits_.assign(words, 0);
+  for (int n : numbers) bits_[n / 64] |= std::uint64_t{1} << n % 64;
+  auto next = numbers.begin();
+  for (std::size_t word = 0; word < words; ++word)
+    for (std::uint64_t left = bits_[word]; left != 0; left &= left - 1)
+      *next++ = static_cast<int>(64 * word) + std::countr_zero(left);
+}
+
+void PartialExpansion::choose(std::span<const int> active, std::vector<int>& places) {
+  active_.assign(active.begin(), active.end());
+  known_.clear();
+  for (std::size_t i = 0; i < active_.size(); ++i) places[active_[i]] = static_cast<int>(i);
+  const int waste = static_cast<int>(active_.size());
+  for (std::size_t law = 0; law < laws_.size(); ++law)
+    laws_[law].take(
+        all_->laws()[law], all_->particles_of(law), touched_elements(law, places), all_->table(),
+        [&](int i) { return places[i]; }, [&](int i) { return std::min(places[i], waste); });
+  for (const auto* set : {&active_, &known_})
+    for (int i : *set) places[i] = -1;
+
+  rows_ = active_.size() + 1 + known_.size();
+  const std::size_t size = (order_ + 1) * rows_ * stride_ + shift_width;
+  if (x_.size() < size) x_.resize(size);
+  if (reads_velocity_ && v_.size() < size) v_.resize(size);
+  push_.clear();
+  for (int i : active_) push_.insert(push_.end(), stride_, all_->inverse_mass(i));
+}
+
+void PartialExpansion::shift_known(int order, const std::vector<double>& s) {
+  shift_.clear();
+  for (double of_row : s) shift_.insert(shift_.end(), stride_, of_row);
+  const std::size_t size = shift_.size(), next_order = rows_ * stride_;
+  shift_.resize((size + shift_width - 1) / shift_width * shift_width, 0.0);
+  double* known = known_row(0, 0);
+  std::size_t i = 0;
+  for (; i + shift_width <= size; i += shift_width)
+    shift_side_by_side(order, shift_.data() + i, known + i, next_order);
+  if (i == size) return;
+  // What is left goes through a copy of full width.
+  copy_.assign((order + 1) * static_cast<std::size_t>(shift_width), 0.0);
+  for (int k = 0; k <= order; ++k)
+    std::copy(known + k * next_order + i, known + k * next_order + size, &copy_[k * shift_width]);
+  shift_side_by_side(order, shift_.data() + i, copy_.data(), shift_width);
+  for (int k = 0; k <= order; ++k) std::copy_n(&copy_[k * shift_width], size - i, known + k * next_order + i);
+}
+
+void PartialExpansion::push(std::size_t law, int k, int orders, double time) {
+  ElementBlocks<double>& blocks = laws_[law];
+  if (blocks.running(k, orders) == 0) return;
+  for (std::size_t chunk = 0; chunk < blocks.chunks(); ++chunk)
+    blocks.push(chunk, k, orders, motion(k, time), active_row(k + 2, 0));
+  element_coefficients_ += blocks.count() * blocks.running(k, orders);
+}
+
+/// From coefficient k of the forces, in the rows of the new positions:   x_{k+2} = F_k / (m (k+1) (k+2)).
+void PartialExpansion::accelerate(int k) {
+  double* x = active_row(k + 2, 0);
+  double* v = reads_velocity_ ? v_.data() + (k + 1) * rows_ * stride_ : nullptr;
+  const double of_velocity = 1.0 / (k + 1), of_position = 1.0 / ((k + 1) * (k + 2));
+  for (std::size_t i = 0; i < push_.size(); ++i) {
+    const double change = x[i] * push_[i];
+    if (v) v[i] = change * of_velocity;
+    x[i] = change * of_position;
+  }
+}
+
+void PartialExpansion::grow_to(int order, double time) {
+  assert(order <= order_);
+  const std::size_t row = rows_ * stride_, pushed = (active_.size() + 1) * stride_;
+  if (reads_velocity_) {
+    std::copy_n(active_row(1, 0), active_.size() * stride_, v_.data());
+    for (int k = 0; k + 2 <= order; ++k)  // v_k = (k + 1) x_{k+1} of the known
+      for (std::size_t i = pushed; i < row; ++i) v_[k * row + i] = (k + 1) * x_[(k + 1) * row + i];
+  }
+  for (int k = 0; k + 2 <= order;) {
+    const int orders = k + 3 <= order ? 2 : 1;
+    for (int n = k; n < k + orders; ++n) std::fill_n(active_row(n + 2, 0), pushed, 0.0);
+    for (std::size_t law = 0; law < laws_.size(); ++law)
+      if (!laws_[law].reads_velocity()) push(law, k, orders, time);
+    for (const int end = k + orders; k < end; ++k) {
+      for (std::size_t law = 0; law < laws_.size(); ++law)
+        if (laws_[law].reads_velocity()) push(law, k, 1, time);
+      accelerate(k);
+    }
+  }
+}
+
+}  // namespace jetlag

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "jetlag/schedule/asynchronous.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "schedule/local_motion.hpp"
+
+namespace jetlag {
+
+namespace {
+
+/// A number of ticks times a factor; as many as a step may have at most.
+Ticks::Count times(double factor, Ticks::Count ticks) {
+  const double product = factor * static_cast<double>(ticks);
+  return product < static_cast<double>(Ticks::step(0)) ? static_cast<Ticks::Count>(product) : Ticks::step(0);
+}
+
+}  // namespace
+
+Asynchronous::Asynchronous(const System<double>& system, TruncationLaw law, const Options& options)
+    : ClockSchedule(system, std::move(law), options), grading_(options.grading), notify_(options.notify) {
+  if (!(grading_ >= 1))
+    throw std::invalid_argument("Asynchronous: grading must be at least 1, got " + std::to_string(grading_));
+  require_positive("Asynchronous: notify", notify_, true);
+}
+Asynchronous::~Asynchronous() = default;
+
+void Asynchronous::begin_clocks() {
+  const int particles = motion_->graph().particles();
+  queue_ = EventQueue(particles);
+  for (int i : motion_->moving()) queue_.set(i, 0);
+  step_.assign(particles, Ticks::step(0));
+  doubt_.assign(particles, 0.0);
+  group_ = std::make_unique<PartialExpansion>(motion_->group());
+}
+
+bool Asynchronous::update(Report& report) {
+  const Ticks::Count now = queue_.time();
+  due_.clear();
+  for (; queue_.time() == now; queue_.set(due_.back(), EventQueue::never)) due_.push_back(queue_.clock());
+  const bool all = due_.size() == motion_->moving().size();
+  expected_positions(now);
+  if (!all) group_->choose(due_, motion_->places());
+  if (!(all ? motion_->update_all(now, report) : motion_->update(*group_, now, report))) return false;
+  if (!choose_steps(now, report)) return false;
+  notify_neighbours(now);
+  return true;
+}
+
+/// Those that rely on a particle are the neighbours that are not due.
+void Asynchronous::expected_positions(Ticks::Count now) {
+  expected_.clear();
+  if (std::isinf(notify_)) return;
+  for (int i : due_)
+    for (int n : motion_->graph().neighbours(i)) {
+      const Ticks::Count end = motion_->begin_of(n) + step_[n];
+      const std::size_t size = expected_.size();
+      expected_.resize(size + 3);
+      if (end > now && queue_.time_of(n) != EventQueue::never)
+        motion_->position(i, end - motion_->begin_of(i), &expected_[size]);
+    }
+}
+
+void Asynchronous::notify_neighbours(Ticks::Count now) {
+  if (std::isinf(notify_)) return;
+  const int dimension = motion_->graph().dimension();
+  const double most = notify_ * motion_->options().tolerance;
+  const double* expected = expected_.data();
+  for (int i : due_)
+    for (int n : motion_->graph().neighbours(i)) {
+      const double* before = expected;
+      expected += 3;
+      const Ticks::Count end = motion_->begin_of(n) + step_[n];
+      if (motion_->begin_of(n) == now || queue_.time_of(n) == now) continue;
+      std::array<double, 3> after{};
+      motion_->position(i, end - now, after.data());
+      double departure = 0;
+      for (int c = 0; c < dimension; ++c) departure = std::max(departure, std::abs(after[c] - before[c]));
+      doubt_[n] += departure;
+      if (doubt_[n] > most) {
+        queue_.set(n, now);
+        ++wake_ups_;
+      }
+    }
+}
+
+/// Steps for those that have been updated: shortened until none is too long for a neighbour, the same in any order.
+bool Asynchronous::choose_steps(Ticks::Count now, Report& report) {
+  const Ticks& ticks = motion_->ticks();
+  std::vector<int> stuck;
+  const auto underflows = [&](int i) {
+    return step_[i] < 1 || !advances(ticks.time(now), ticks.seconds(step_[i]));
+  };
+  for (int i : due_) {
+    step_[i] = ticks.in(motion_->step_of(i));
+    doubt_[i] = 0;
+    if (underflows(i)) stuck.push_back(i);
+  }
+  for (bool changed = stuck.empty(); changed;) {
+    changed = false;
+    for (int i : due_)
+      for (int n : motion_->graph().neighbours(i)) {
+        const Ticks::Count most = times(grading_, step_[n]);
+        if (step_[i] <= most) continue;
+        step_[i] = most;
+        changed = true;
+      }
+  }
+  for (int i : due_)
+    if (stuck.empty() && underflows(i)) stuck.push_back(i);
+  if (!stuck.empty()) {
+    report = underflow(now, stuck);
+    return false;
+  }
+  for (int i : due_) queue_.set(i, now + step_[i]);
+  return true;
+}
+
+}  // namespace jetlag

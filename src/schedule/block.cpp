@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "jetlag/schedule/block.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include "schedule/local_motion.hpp"
+
+namespace jetlag {
+
+/// All particles from a level on, ready to be expanded together; out of date once a particle crosses that level.
+struct BlockSteps::Group {
+  explicit Group(PartialExpansion series) : expansion(std::move(series)) {}
+  PartialExpansion expansion;
+  bool is_current = false;
+};
+
+BlockSteps::BlockSteps(const System<double>& system, TruncationLaw law, const Options& options)
+    : ClockSchedule(system, std::move(law), options), grading_(options.grading) {
+  if (grading_ < 0)
+    throw std::invalid_argument("BlockSteps: grading must be at least 0, got " + std::to_string(grading_));
+}
+BlockSteps::~BlockSteps() = default;
+
+void BlockSteps::begin_clocks() {
+  const auto& moving = motion_->moving();
+  level_.assign(motion_->graph().particles(), 0);
+  place_.assign(level_.size(), 0);
+  of_level_.assign(Ticks::finest + 1, {});
+  groups_.clear();
+  groups_.resize(Ticks::finest + 1);
+  for (int i : moving) {
+    place_[i] = static_cast<int>(of_level_[0].size());
+    of_level_[0].push_back(i);
+  }
+  begun_ = false;
+  next_ = moving.empty() ? std::numeric_limits<std::int64_t>::max() : 0;
+}
+
+/// The first level from `level` on that has particles; beyond the finest where there is none.
+int BlockSteps::lowest_from(int level) const {
+  while (level <= Ticks::finest && of_level_[level].empty()) ++level;
+  return level;
+}
+
+BlockSteps::Group& BlockSteps::group_from(int level) {
+  auto& group = groups_[level];
+  if (!group) group = std::make_unique<Group>(motion_->group());
+  if (!group->is_current) {
+    std::vector<int> particles;
+    for (int l = level; l <= Ticks::finest; ++l)
+      particles.insert(particles.end(), of_level_[l].begin(), of_level_[l].end());
+    std::ranges::sort(particles);
+    group->expansion.choose(particles, motion_->places());
+    group->is_current = true;
+  }
+  return *group;
+}
+
+bool BlockSteps::update(Report& report) {
+  const Ticks::Count now = next_;
+  const int level = lowest_from(Ticks::coarsest(now));
+  const bool all = level == lowest_from(0);
+  Group* group = all ? nullptr : &group_from(level);
+  if (!(all ? motion_->update_all(now, report) : motion_->update(group->expansion, now, report)))
+    return false;
+  if (!choose_levels(all ? motion_->moving() : group->expansion.active(), now, report)) return false;
+  begun_ = true;
+  int finest = Ticks::finest;
+  while (of_level_[finest].empty()) --finest;
+  next_ = now + Ticks::step(finest);
+  return true;
+}
+
+/// Levels for those that have been updated: what their series ask for, within the rules.
+bool BlockSteps::choose_levels(const std::vector<int>& updated, std::int64_t now, Report& report) {
+  const Ticks& ticks = motion_->ticks();
+  std::vector<int> stuck;
+  before_.clear();
+  for (int i : updated) {
+    const double h = motion_->step_of(i);
+    const int wanted = ticks.level(h), before = level_[i];
+    before_.push_back(before);
+    if (wanted > Ticks::finest || !advances(ticks.time(now), h)) stuck.push_back(i);
+    level_[i] = std::max({std::min(wanted, Ticks::finest), begun_ ? before - 1 : 0, Ticks::coarsest(now)});
+  }
+  if (!stuck.empty()) {
+    report = underflow(now, stuck);
+    return false;
+  }
+  if (grading_ > 0) limit_differences(updated);
+  for (std::size_t a = 0; a < updated.size(); ++a) move(updated[a], before_[a], level_[updated[a]]);
+  return true;
+}
+
+/// Raises levels until no neighbour is more than `grading` finer: the same levels in whatever order particles come.
+void BlockSteps::limit_differences(const std::vector<int>& updated) {
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (int i : updated) {
+      int least = level_[i];
+      for (int n : motion_->graph().neighbours(i)) least = std::max(least, level_[n] - grading_);
+      changed = changed || least != level_[i];
+      level_[i] = least;
+    }
+  }
+}
+
+void BlockSteps::move(int particle, int from, int to) {
+  if (from == to) return;
+  auto& old = of_level_[from];
+  old[place_[particle]] = old.back();
+  place_[old.back()] = place_[particle];
+  old.pop_back();
+  place_[particle] = static_cast<int>(of_level_[to].size());
+  of_level_[to].push_back(particle);
+  for (int l = std::min(from, to) + 1; l <= std::max(from, to); ++l)
+    if (groups_[l]) groups_[l]->is_current = false;
+}
+
+}  // namespace jetlag

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+#include "schedule/local_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "jetlag/series/polynomial.hpp"
+#include "jetlag/truncation/draws.hpp"
+
+namespace jetlag {
+
+LocalMotion::LocalMotion(const System<double>& system, TruncationLaw law, const ClockOptions& options)
+    : law_(std::move(law)),
+      options_(options),
+      draws_(law_.is_fixed() ? Draw::independent : options_.draws, &law_, options_.seed, 1),
+      dimension_(system.dimension()),
+      stride_(padded(dimension_)),
+      order_(law_.max_degree() + (options.velocity == VelocitySeries::own_series ? 1 : 0)),
+      size_(static_cast<std::size_t>(order_ + 1) * stride_),
+      graph_(std::make_shared<const Neighbourhoods>(system)),
+      all_(system, std::max(order_, 2), kernels<double>(), Workers(options.threads)),
+      places_(system.particles(), -1) {
+  require_positive("tolerance", options_.tolerance);
+  require_positive("max_step", options_.max_step, true);
+  if (order_ < 2) throw std::invalid_argument("schedule: the degree must be at least 2");
+  if (law_.weighting() != Weighting::coupled_sum)
+    throw std::invalid_argument("schedule: " + law_.name() + " is for one clock: pieces are coupled sums");
+  if (law_.is_fixed()) options_.shared_draw = true;
+  for (int i = 0; i < system.particles(); ++i)
+    if (!system.fixed()[i]) moving_.push_back(i);
+  for (int n = 0; n <= law_.max_degree(); ++n) weights_.push_back(law_.weight(n));
+  weights_.push_back(law_.is_fixed() ? 1.0 : 0.0);
+}
+
+void LocalMotion::begin(const State<double>& state, const Ticks& ticks) {
+  all_.start(state);  // throws what is to be thrown
+  ticks_ = ticks;
+  const std::size_t particles = state.position.rows();
+  series_.assign(particles * size_, 0.0);
+  begin_.assign(particles, 0);
+  degree_.assign(particles, law_.max_degree());
+  updates_.resize(particles, 0);
+  for (std::size_t i = 0; i < particles; ++i)
+    for (int c = 0; c < dimension_; ++c) {
+      series(i)[c] = state.position(i, c);
+      series(i)[stride_ + c] = state.velocity(i, c);
+    }
+}
+
+/// x = sum_{n<=K} w_n x_n s^n,   v = sum_{n<=K} w_n (n+1) x_{n+1} s^n, or the derivative of x;   by Horner's rule.
+void LocalMotion::evaluate(int particle, double s, double* x, double* v) const {
+  const double* c = series(particle);
+  const int degree = degree_[particle];
+  const bool own = options_.velocity == VelocitySeries::own_series;
+  double sum[4] = {}, slope[4] = {};
+  for (int n = degree; n >= 0; --n)
+    for (int d = 0; d < stride_; ++d) sum[d] = sum[d] * s + weights_[n] * c[n * stride_ + d];
+  std::copy_n(sum, dimension_, x);
+  if (!v) return;
+  for (int n = own ? degree : degree - 1; n >= 0; --n)
+    for (int d = 0; d < stride_; ++d)
+      slope[d] = slope[d] * s + weights_[own ? n : n + 1] * ((n + 1) * c[(n + 1) * stride_ + d]);
+  std::copy_n(slope, dimension_, v);
+}
+
+/// What others are told of a particle: its series with the weights of its degree.
+void LocalMotion::told(int particle, double* to, std::size_t next_order) const {
+  const double* c = series(particle);
+  if (law_.is_fixed()) {
+    for (int n = 0; n <= order_; ++n) std::copy_n(c + n * stride_, stride_, to + n * next_order);
+    return;
+  }
+  for (int n = 0; n <= order_; ++n)
+    for (int d = 0; d < stride_; ++d)
+      to[n * next_order + d] = n <= degree_[particle] ? weights_[n] * c[n * stride_ + d] : 0.0;
+}
+
+bool LocalMotion::finite_series(const double* c, int particle, Count now, Report& report) const {
+  for (std::size_t i = 0; i < size_; ++i) {
+    if (std::isfinite(c[i])) continue;
+    report = {Outcome::non_finite,
+              "coefficient " + std::to_string(i / stride_) + " of the motion of particle " +
+                  std::to_string(particle) + " is not finite at t = " + std::to_string(ticks_.time(now)) +
+                  ": the force is singular there (particles that coincide?), or the motion has blown up; "
+                  "separate the particles, soften the force or take a smaller tolerance",
+              particle};
+    return false;
+  }
+  return true;
+}
+
+void LocalMotion::publish(int particle, Count now, std::uint64_t group) {
+  begin_[particle] = now;
+  if (!law_.is_fixed())
+    degree_[particle] = options_.shared_draw
+                            ? draws_.degree(law_, shared_by_all, group)
+                            : draws_.degree(law_, static_cast<std::uint32_t>(particle), updates_[particle]);
+  ++updates_[particle];
+  work_.degrees += degree_[particle];
+}
+
+void LocalMotion::count(std::size_t updated) {
+  ++groups_;
+  ++work_.steps;
+  work_.updates += updated;
+  work_.coefficients += static_cast<std::uint64_t>(order_ - 1) * updated;
+  work_.element_coefficients = all_.element_coefficients() + partial_coefficients_;
+}
+
+bool LocalMotion::update(PartialExpansion& group, Count now, Report& report) {
+  const auto &active = group.active(), &known = group.known();
+  const std::uint64_t before = group.element_coefficients();
+  for (std::size_t a = 0; a < active.size(); ++a)
+    evaluate(active[a], ticks_.seconds(now - begin_[active[a]]), group.active_row(0, a),
+             group.active_row(1, a));
+  const std::size_t next_order = known.empty() ? 0 : group.known_row(1, 0) - group.known_row(0, 0);
+  shift_.clear();
+  for (std::size_t b = 0; b < known.size(); ++b) {
+    told(known[b], group.known_row(0, b), next_order);
+    shift_.push_back(ticks_.seconds(now - begin_[known[b]]));
+  }
+  if (!known.empty()) group.shift_known(order_, shift_);
+  group.grow_to(order_, ticks_.time(now));
+  partial_coefficients_ += group.element_coefficients() - before;
+
+  rows_.resize(active.size() * size_);
+  for (std::size_t a = 0; a < active.size(); ++a)
+    for (int n = 0; n <= order_; ++n)
+      std::copy_n(group.active_row(n, a), stride_, rows_.data() + a * size_ + n * stride_);
+  for (std::size_t a = 0; a < active.size(); ++a)
+    if (!finite_series(rows_.data() + a * size_, active[a], now, report)) return false;
+  for (std::size_t a = 0; a < active.size(); ++a) {
+    std::copy_n(rows_.data() + a * size_, size_, series(active[a]));
+    publish(active[a], now, groups_);
+  }
+  count(active.size());
+  return true;
+}
+
+bool LocalMotion::update_all(Count now, Report& report) {
+  all_.start(at_tick(now));
+  all_.grow_to(order_);
+  if (!all_finite(all_, report)) return false;
+  for (int n = 0; n <= order_; ++n) {
+    const auto x = all_.position(n);
+    for (int i : moving_)
+      for (int d = 0; d < dimension_; ++d) series(i)[n * stride_ + d] = x(i, d);
+  }
+  for (int i : moving_) publish(i, now, groups_);
+  count(moving_.size());
+  return true;
+}
+
+double LocalMotion::step_of(int particle) const {
+  const int degree = law_.max_degree();
+  const auto size = [&](int k) {
+    if (k < 0 || k > order_) return 0.0;
+    const double* c = series(particle) + k * stride_;
+    double most = 0;
+    for (int d = 0; d < dimension_; ++d) most = std::max(most, std::abs(c[d]));
+    return most;
+  };
+  return std::min(
+      options_.max_step,
+      last_two_step({degree, {size(2), size(3)}, {size(degree - 1), size(degree)}}, options_.tolerance));
+}
+
+State<double> LocalMotion::at(double t) const {
+  return state_at(t, [&](int i) { return ticks_.since(begin_[i], t); });
+}
+State<double> LocalMotion::at_tick(Count now) const {
+  return state_at(ticks_.time(now), [&](int i) { return ticks_.seconds(now - begin_[i]); });
+}
+
+Piece LocalMotion::piece(Count begin, double end) const {
+  const auto particles = static_cast<Eigen::Index>(begin_.size());
+  const bool own = options_.velocity == VelocitySeries::own_series;
+  Piece piece{ticks_.time(begin), end, {}, {}, 1};
+  piece.position.assign(law_.max_degree() + 1, Coordinates<double>::Zero(particles, dimension_));
+  piece.velocity.assign(law_.max_degree() + (own ? 1 : 0), Coordinates<double>::Zero(particles, dimension_));
+  std::vector<double> x, v;
+  for (int i = 0; i < particles; ++i)
+    for (int d = 0; d < dimension_; ++d) {
+      x.assign(piece.position.size(), 0.0);
+      v.assign(piece.velocity.size(), 0.0);
+      const auto c = [&](int n) { return series(i)[n * stride_ + d]; };
+      for (int n = 0; n <= degree_[i]; ++n) x[n] = weights_[n] * c(n);
+      for (int n = 0; n < degree_[i] + (own ? 1 : 0); ++n)
+        v[n] = weights_[own ? n : n + 1] * ((n + 1) * c(n + 1));
+      const double s = ticks_.seconds(begin - begin_[i]);
+      taylor_shift(x, s);
+      taylor_shift(v, s);
+      for (std::size_t n = 0; n < x.size(); ++n) piece.position[n](i, d) = x[n];
+      for (std::size_t n = 0; n < v.size(); ++n) piece.velocity[n](i, d) = v[n];
+    }
+  return piece;
+}
+
+}  // namespace jetlag

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The motion of particles with clocks of their own: a series for each, about the tick at which it was last updated, and
+// the update of a group of particles at one tick.
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "jetlag/control/last_two.hpp"
+#include "jetlag/motion/expansion.hpp"
+#include "jetlag/motion/partial_expansion.hpp"
+#include "jetlag/motion/piece.hpp"
+#include "jetlag/schedule/clocks.hpp"
+#include "jetlag/schedule/ticks.hpp"
+
+namespace jetlag {
+
+class LocalMotion {
+ public:
+  using Count = Ticks::Count;
+
+  LocalMotion(const System<double>& system, TruncationLaw law, const ClockOptions& options);
+
+  const Neighbourhoods& graph() const { return *graph_; }
+  const std::vector<int>& moving() const { return moving_; }
+  const ClockOptions& options() const { return options_; }
+
+  /// The series become constant: the state, at tick 0 of these ticks.
+  /// Throws std::invalid_argument for a state of another shape and for a fixed particle that is not at rest.
+  void begin(const State<double>& state, const Ticks& ticks);
+  const Ticks& ticks() const { return ticks_; }
+
+  /// A place for groups that do not change.
+  PartialExpansion group() const { return PartialExpansion(graph_, order_); }
+  std::vector<int>& places() { return places_; }
+
+  /// New series for the particles of a group, expanded together about a tick, or for all. On failure nothing changes, and
+  /// the report says where.
+  bool update(PartialExpansion& group, Count now, Report& report);
+  bool update_all(Count now, Report& report);
+
+  /// How far a particle may go by its own series [s]; at most max_step.
+  double step_of(int particle) const;
+
+  Count begin_of(int particle) const { return begin_[particle]; }
+  std::uint64_t updates_of(int particle) const { return updates_[particle]; }
+
+  /// The state at a time [s] or a tick, from all series.
+  State<double> at(double t) const;
+  State<double> at_tick(Count now) const;
+  /// All series about a tick.
+  Piece piece(Count begin, double end) const;
+  /// The position of a particle on its present series, `ticks` after it began: shape (dimension).
+  void position(int particle, Count ticks, double* x) const {
+    evaluate(particle, ticks_.seconds(ticks), x, nullptr);
+  }
+
+  const Work& work() const { return work_; }
+
+ private:
+  double* series(std::size_t particle) { return series_.data() + particle * size_; }
+  const double* series(std::size_t particle) const { return series_.data() + particle * size_; }
+  void evaluate(int particle, double s, double* x, double* v) const;
+  template <class Since>
+  State<double> state_at(double t, const Since& since) const {
+    const auto particles = static_cast<Eigen::Index>(begin_.size());
+    State<double> state{t, Coordinates<double>(particles, dimension_),
+                        Coordinates<double>(particles, dimension_)};
+    for (int i = 0; i < particles; ++i)
+      evaluate(i, since(i), state.position.row(i).data(), state.velocity.row(i).data());
+    return state;
+  }
+  void told(int particle, double* c, std::size_t next_order) const;
+  bool finite_series(const double* c, int particle, Count now, Report& report) const;
+  void publish(int particle, Count now, std::uint64_t group);
+  void count(std::size_t updated);
+
+  TruncationLaw law_;
+  ClockOptions options_;
+  Draws draws_;
+  int dimension_, stride_, order_;
+  std::size_t size_;  // numbers in the series of a particle
+  std::shared_ptr<const Neighbourhoods> graph_;
+  Expansion<double> all_;
+  std::vector<int> moving_, places_;
+  std::vector<double> weights_;  // of the terms of the law, then one for the term after them
+  Ticks ticks_;
+  AlignedVector<double> series_;  // [particle][order][padded component]
+  std::vector<Count> begin_;
+  std::vector<int> degree_;  // of each particle's series
+  std::vector<std::uint64_t> updates_;
+  std::vector<double> shift_, rows_;  // room for an update
+  std::uint64_t groups_ = 0, partial_coefficients_ = 0;
+  Work work_;
+};
+
+}  // namespace jetlag

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+// What every schedule with a clock for each particle obeys, and one clock beside them: they converge to the same motion
+// at the order of the method, run into collisions with open eyes, and are fast only where the motion is.
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "jetlag/control/jorba_zou.hpp"
+#include "jetlag/control/last_two.hpp"
+#include "jetlag/motion/energy.hpp"
+#include "jetlag/schedule/asynchronous.hpp"
+#include "jetlag/schedule/block.hpp"
+#include "jetlag/schedule/lockstep.hpp"
+#include "schedule/networks.hpp"
+
+namespace jetlag::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// To rounding: another step rule, at degree 24.
+State<double> truth(const Scene& scene, double until) {
+  State<double> state = scene.start;
+  Lockstep(taylor(scene.system, 24, std::make_unique<JorbaZou>())).run(state, until, {});
+  return state;
+}
+
+// ---- the members ------------------------------------------------------------------------------------------
+
+struct Member {
+  std::string name;
+  std::function<std::unique_ptr<Schedule>(const System<double>&, int degree, double tolerance)> make;
+};
+void PrintTo(const Member& member, std::ostream* out) { *out << member.name; }
+
+template <class ScheduleType>
+std::unique_ptr<Schedule> with_clocks(const System<double>& system, int degree, double tolerance) {
+  typename ScheduleType::Options options;
+  options.tolerance = tolerance;
+  return std::make_unique<ScheduleType>(system, degree, options);
+}
+const Member lockstep{
+    "Lockstep", [](const System<double>& system, int degree, double tolerance) {
+      return std::make_unique<Lockstep>(taylor(system, degree, std::make_unique<LastTwo>(tolerance)));
+    }};
+const Member block{"Block", with_clocks<BlockSteps>}, asynchronous{"Asynchronous", with_clocks<Asynchronous>};
+
+class Schedules : public ::testing::TestWithParam<Member> {};
+INSTANTIATE_TEST_SUITE_P(, Schedules, ::testing::Values(lockstep, block, asynchronous),
+                         [](const auto& info) { return info.param.name; });
+class Clocks : public Schedules {};
+INSTANTIATE_TEST_SUITE_P(, Clocks, ::testing::Values(block, asynchronous),
+                         [](const auto& info) { return info.param.name; });
+
+/// Of the line of least squares.
+double slope(const std::vector<double>& x, const std::vector<double>& y) {
+  const Eigen::Map<const Eigen::ArrayXd> a(x.data(), x.size()), b(y.data(), y.size());
+  return ((a - a.mean()) * (b - b.mean())).sum() / (a - a.mean()).square().sum();
+}
+
+// ---- laws -------------------------------------------------------------------------------------------------
+
+TEST_P(Schedules, ConvergeAtTheirOrder) {
+  // As the tolerance goes to zero the step is (tolerance / |c_{N-1}|)^(1/(N-1)), and the error of degree N goes with h^N,
+  // as tolerance^(N/(N-1)). Steps on powers of two follow in stairs of 2^-(N-1) in the tolerance: the line of least
+  // squares goes through as many of them as there are between coarse steps and rounding. Measured: within 0.1, of degree
+  // 16 within 0.2, where few steps are small enough to be called so.
+  const Scene scene = stiff_spot_in_a_chain(12, 50);  // frequencies from 0.2 to 14
+  const double until = 2.0;
+  const State<double> end = truth(scene, until);
+  for (int degree : {4, 8, 12, 16}) {
+    std::vector<double> x, y;  // log2 of tolerance and error
+    for (double error = 1, tolerance = 0x1p-10; error > 2e-13; tolerance /= 2) {
+      State<double> state = scene.start;
+      ASSERT_EQ(GetParam().make(scene.system, degree, tolerance)->run(state, until, {}).outcome,
+                Outcome::success);
+      error = (state.position - end.position).cwiseAbs().maxCoeff();
+      x.push_back(std::log2(tolerance));
+      y.push_back(std::log2(error));
+    }
+    ASSERT_GT(x.size(), 10u);
+    EXPECT_NEAR(slope(x, y), degree / (degree - 1.0), degree < 16 ? 0.15 : 0.25) << degree;
+  }
+}
+
+TEST_P(Schedules, EndWhereTwoMassesFallIntoEachOther) {
+  // The step shrinks with the time that is left, by a constant factor, until it no longer changes the time: a hundred
+  // steps or so.
+  for (double tolerance : {1e-6, 1e-12}) {
+    const Scene scene = falling_together(1.0);
+    State<double> state = scene.start;
+    RunOptions options;
+    options.max_steps = 10000;
+    const Report report = GetParam().make(scene.system, 12, tolerance)->run(state, 3.0, options);
+    EXPECT_EQ(report.outcome, Outcome::step_underflow) << report.message;
+    EXPECT_NEAR(state.time, time_of_collision(1.0), 1e-6);
+    EXPECT_TRUE(state.position.allFinite() && state.velocity.allFinite());
+    EXPECT_THAT(report.message, HasSubstr("particle"));
+    EXPECT_GE(report.particle, 0);
+  }
+}
+
+TEST_P(Clocks, GoOnWithTheSameBits) {
+  const Scene scene = stiff_spot_in_a_chain(16, 1e3);
+  State<double> whole = scene.start, cut = scene.start;
+  GetParam().make(scene.system, 8, 1e-9)->run(whole, 1.0, {});
+  const auto schedule = GetParam().make(scene.system, 8, 1e-9);
+  RunOptions few;
+  few.max_steps = 13;
+  int stops = 0;
+  while (schedule->run(cut, 1.0, few).outcome == Outcome::step_limit) ++stops;
+  EXPECT_GT(stops, 3);
+  EXPECT_EQ(cut.position, whole.position);
+  EXPECT_EQ(cut.velocity, whole.velocity);
+}
+
+// ---- H3: masses 1 and 1e-6 in a row ------------------------------------------------------------------------
+
+/// F = -k d on a pair, of no rest length.
+struct Bond {
+  static constexpr const char* name = "bond";
+  static constexpr int participants = 2;
+  static constexpr std::array parameters{"stiffness"};
+  template <class T, int D>
+  static Vector<T, D> force(const Participants<T, D, 2>& p, const T& k) {
+    return T(k) * Vector<T, D>(p.position[1] - p.position[0]);
+  }
+  template <class T, int D>
+  static T energy(const Participants<T, D, 2>& p, const T& k) {
+    return T(0.5) * k * T((p.position[1] - p.position[0]).squaredNorm());
+  }
+};
+
+TEST(HeavyAndLight, HaveClocksInTheRatioTheirDegreeAllows) {
+  // wall - 1 kg - 1e-6 kg, k = 1: the light mass runs a thousand times as fast, and shakes the heavy one by a millionth of
+  // its own amplitude. So coefficient N of the heavy one is 1e-6 of the light one's, its step (1e6)^(1/N) times as
+  // long: 32 at degree 4 and 6 at degree 8, and more where the last but one decides, within a factor 2 each as levels are
+  // powers of two.
+  // Source of the values: the closed form in 75 digits, methods 13, H3.
+  System<double> system(1, {1.0, 1.0, 1e-6});
+  system.fix(0);
+  system.add<Bond>({{0, 1}, {1, 2}}, {{1.0}});
+  for (int degree : {4, 8}) {
+    State<double> state{0.0, Coordinates<double>::Zero(3, 1), Coordinates<double>::Zero(3, 1)};
+    state.velocity(1, 0) = 1;
+    EnergyMeter meter(system);
+    const double energy = meter(state).total();
+    double worst = 0;
+    BlockSteps::Options options;
+    options.tolerance = 1e-10;
+    options.grading = 0;
+    BlockSteps schedule(system, degree, options);
+    RunOptions run;
+    for (int frame = 1; frame <= 100; ++frame) run.frame_times.push_back(0.01 * frame);
+    run.at_frame = [&](const State<double>& at) {
+      worst = std::max(worst, std::abs(meter(at).total() - energy));
+    };
+    ASSERT_EQ(schedule.run(state, 1.0, run).outcome, Outcome::success);
+    const double ratio =
+        static_cast<double>(schedule.updates_of(2)) / static_cast<double>(schedule.updates_of(1));
+    EXPECT_GT(ratio, degree == 4 ? 100 : 0.5 * std::pow(1e6, 1.0 / degree));  // measured: 104, 6.4
+    EXPECT_LT(worst, 1e-6);
+    EXPECT_NEAR(state.position(1, 0), 0.8414702947474279095532, 1e-6);
+    EXPECT_NEAR(state.position(2, 0), 0.8406439751772336314111, 1e-5);
+  }
+}
+
+// ---- a spring that collapses somewhere in a net ------------------------------------------------------------
+
+/// A mass that falls through the fixed end of its spring at a distance of 1.5 offset (methods 13, H5), and a chain of 20
+/// that hangs on it by weak springs, away from it.
+Scene collapsing(double offset) {
+  constexpr int chain = 20;
+  System<double> system(2, std::vector<double>(chain + 2, 1.0));
+  system.fix(0);
+  Scene scene{std::move(system),
+              {0.0, Coordinates<double>::Zero(chain + 2, 2), Coordinates<double>::Zero(chain + 2, 2)}};
+  scene.system.add<Spring>({{0, 1}}, {{1.0, 1.0}});
+  scene.start.position.row(1) << 1.0, 0.0;
+  scene.start.velocity.row(1) << -1.2, offset;
+  std::vector<std::array<int, 2>> pairs;
+  for (int i = 2; i < chain + 2; ++i) {
+    pairs.push_back({i - 1, i});
+    scene.start.position.row(i) << 1.0 + 5.0 * (i - 1), 0.0;
+  }
+  scene.system.add<Bond>(pairs, {{1e-3}});
+  return scene;
+}
+
+TEST_P(Clocks, AreFastOnlyWhereASpringCollapses) {
+  for (double offset : {1e-1, 1e-3, 1e-6, 0.0}) {
+    const Scene scene = collapsing(offset);
+    State<double> state = scene.start;
+    const auto schedule = GetParam().make(scene.system, 12, 1e-9);
+    ASSERT_EQ(schedule->run(state, 2.0, {}).outcome, Outcome::success);
+    EXPECT_TRUE(state.position.allFinite() && state.velocity.allFinite());
+    const auto& clocks = dynamic_cast<const ClockSchedule&>(*schedule);
+    for (int i = 2; i < 21; ++i) EXPECT_LE(clocks.updates_of(i + 1), clocks.updates_of(i)) << i;
+    // The tolerance is one of positions: while an acceleration of 1 m/s^2 moves the mass by less than it, the force may do
+    // what it likes, here turn round. That is a velocity of 2 sqrt(2 tolerance) at most, for a second.
+    if (offset > 0) {
+      const State<double> end = truth(scene, 2.0);
+      EXPECT_LT((state.position - end.position).cwiseAbs().maxCoeff(), 2 * std::sqrt(2 * 1e-9));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace jetlag::testing
