@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What do clocks of their own save? Block steps beside one clock, both run in turn on the same scene from the same state
-// with the same step rule, and the error of both; and what an event costs in the queue.
+// What do clocks of their own save? Block steps beside one clock, both run in turn on the same scene from the same
+// state with the same step rule, and the error of both; and what an event costs in the queue.
 //
 //   BM_Asynchrony/<scene>/<degree>   lockstep_over_block: wall time; elements_over: element coefficients;
 //                                    error_over: error of block steps over that of lockstep
@@ -66,8 +66,8 @@ Uneven chain() {
   return scene;
 }
 
-/// 50 x 50 particles of 1 kg, 0.1 m apart, springs as in the scene `cloth` of 5 N/m; those within a square of 5 % are 1e3
-/// times stiffer. It begins flat, with a smooth velocity.
+/// 50 x 50 particles of 1 kg, 0.1 m apart, springs as in the scene `cloth` of 5 N/m; those within a square of 5 % are
+/// 1e3 times stiffer. It begins flat, with a smooth velocity.
 Uneven cloth_with_a_stiff_patch() {
   constexpr int side = 50, first = 16, last = 27;
   constexpr double spacing = 0.1;
