@@ -13,7 +13,8 @@ namespace jetlag {
 
 namespace {
 
-/// The longest step: the run, or where there is a max_step as many times that as a power of two as it takes to cover it.
+/// The longest step: the run, or where there is a max_step as many times that as a power of two as it takes to cover
+/// it.
 double base_step(double max_step, double length) {
   if (!std::isfinite(max_step)) return length;
   int e;

@@ -36,8 +36,8 @@ class LocalMotion {
   PartialExpansion group() const { return PartialExpansion(graph_, order_); }
   std::vector<int>& places() { return places_; }
 
-  /// New series for the particles of a group, expanded together about a tick, or for all. On failure nothing changes, and
-  /// the report says where.
+  /// New series for the particles of a group, expanded together about a tick, or for all. On failure nothing changes,
+  /// and the report says where.
   bool update(PartialExpansion& group, Count now, Report& report);
   bool update_all(Count now, Report& report);
 

@@ -55,10 +55,8 @@ const std::vector<Member> members = {
      [](const TruncationLaw&, double, double max_step, double) {
        return std::make_unique<JorbaZou>(max_step);
      }},
-    {"LastTwo",
-     [](const TruncationLaw&, double error, double max_step, double) {
-       return std::make_unique<LastTwo>(error, max_step);
-     }},
+    {"LastTwo", [](const TruncationLaw&, double error, double max_step,
+                   double) { return std::make_unique<LastTwo>(error, max_step); }},
     {"HalveDouble",
      [](const TruncationLaw& law, double error, double max_step, double unit) {
        const double max_variance = error * error;

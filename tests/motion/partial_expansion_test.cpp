@@ -31,8 +31,8 @@ struct Damper {
   }
 };
 
-/// Particles in a box, each with springs and dampers to the next few; every seventh is fixed. All laws of the library and
-/// one that depends on time act.
+/// Particles in a box, each with springs and dampers to the next few; every seventh is fixed. All laws of the library
+/// and one that depends on time act.
 Scene network(int particles, std::uint64_t seed) {
   Uniform random(seed);
   std::vector<double> mass(particles);

@@ -20,8 +20,8 @@ struct CubicSpring {
   }
 };
 
-/// `moving` unit masses between two walls (particles 0 and moving + 1), at displacements of two long waves, at rest; four
-/// springs in the middle are stiffer.         Source: methods 15b, with 128 masses.
+/// `moving` unit masses between two walls (particles 0 and moving + 1), at displacements of two long waves, at rest;
+/// four springs in the middle are stiffer.         Source: methods 15b, with 128 masses.
 inline Scene stiff_spot_in_a_chain(int moving, double ratio) {
   System<double> system(1, std::vector<double>(moving + 2, 1.0));
   system.fix(0);

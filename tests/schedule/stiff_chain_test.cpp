@@ -91,8 +91,8 @@ TEST_P(StiffSpot, CostsFreeClocksATwelfthOfTheUpdates) {
     EXPECT_GE(one.work.updates, 12 * free.work.updates);
     EXPECT_LE(free.error, 5 * one.error);
   } else {
-    // A neighbour's polynomial is relied upon beyond its end, where its error grows with the power of its degree. Measured:
-    // 17 and 6.3 times fewer updates, 3e-10 m of error; without notification 1e-4 m.
+    // A neighbour's polynomial is relied upon beyond its end, where its error grows with the power of its degree.
+    // Measured: 17 and 6.3 times fewer updates, 3e-10 m of error; without notification 1e-4 m.
     EXPECT_GE(one.work.updates, 5 * free.work.updates);
     EXPECT_LE(free.error, 1000 * GetParam().tolerance);
   }

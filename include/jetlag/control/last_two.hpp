@@ -20,8 +20,8 @@ struct LastTwoSizes {
 ///
 ///     h = 0.7 min_{k = N-1, N} (tolerance / |c_k|)^{1/k},
 ///
-/// and where the acceleration moves the particle by more than a millionth of the tolerance, no longer than 0.7 times the
-/// step at which the last terms of the force reach the first ones, f_k = k (k - 1) c_k:
+/// and where the acceleration moves the particle by more than a millionth of the tolerance, no longer than 0.7 times
+/// the step at which the last terms of the force reach the first ones, f_k = k (k - 1) c_k:
 ///
 ///     f_k h^{k-2} <= max(f_2, f_3 h),   k > 3.
 ///

@@ -45,7 +45,6 @@ class LastStep {
 
 class Integrator : public LastStep {
  public:
-
   /// One step of at most `limit` [s]: the length the control proposes, or `limit` where that is shorter. state.time
   /// is the beginning of the step and stays so: the caller keeps the time. Rests of the state are kept by methods with
   /// compensated sums and dropped by others. Returns the length; on failure 0.

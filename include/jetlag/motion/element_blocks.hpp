@@ -73,8 +73,8 @@ class ElementBlocks {
   }
 
   /// Runs some elements of `all` from now on, in the order given; `all` has the elements in the order of the system.
-  /// particles: of all elements, shape (elements of all, participants). read(particle), pushed(particle): the row that is
-  /// read, and the row onto which the force is added.
+  /// particles: of all elements, shape (elements of all, participants). read(particle), pushed(particle): the row
+  /// that is read, and the row onto which the force is added.
   template <class Read, class Pushed>
   void take(const ElementBlocks& all, std::span<const int> particles, std::span<const int> elements,
             const KernelTable<T>& table, const Read& read, const Pushed& pushed) {

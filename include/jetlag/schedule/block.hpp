@@ -6,8 +6,8 @@
 //     level 1   |---------------|---------------|       of itself, so that blocks nest: a neighbour's polynomial never
 //     level 3   |---|---|---|---|---|---|---|---|       ends before the step of the finer particle does
 //
-// A particle takes the level its own series asks for (control/last_two.hpp). It may become finer at any of its updates by
-// any number of levels, coarser by one level and only where that step may begin. At its update it is
+// A particle takes the level its own series asks for (control/last_two.hpp). It may become finer at any of its
+// updates by any number of levels, coarser by one level and only where that step may begin. At its update it is
 // at most `grading` levels coarser than any neighbour. (A neighbour that is not due stays too coarse until it is: woken
 // at an odd tick it would have to begin with the finest step, and so would its own neighbours; measured on the chain of
 // methods 15b, degree 8: four times the updates.)

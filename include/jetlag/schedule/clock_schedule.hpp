@@ -4,16 +4,16 @@
 //
 //     particle 0   |-------------------------------|-------------------------------|
 //     particle 1   |---------------|---------------|---------------|---------------|
-//     particle 2   |---|---|---|---|-------|-------|---|---|---|---|---|---|---|---|        steps of this run: the times
-//                  0   1   2   3   4       6       8                              16        at which somebody is updated
+//     particle 2   |---|---|---|---|-------|-------|---|---|---|---|---|---|---|---|    steps of this run: the times
+//                  0   1   2   3   4       6       8                              16    at which somebody is updated
 //
 // Between updates a particle moves on its own polynomial; whoever is updated sees its neighbours where these are, and
 // where they go.
 //
 //   - Times are whole numbers of ticks: clocks meet exactly, and nothing drifts.
-//   - `until` and frames are read from the polynomials, no step is cropped for them. So a run to 1 and on to 2 gives the
-//     same bits as a run to 2, and so does one that was stopped on the way, as long as the same schedule is handed the
-//     state that it gave. Any other state begins anew.
+//   - `until` and frames are read from the polynomials, no step is cropped for them. So a run to 1 and on to 2 gives
+//     the same bits as a run to 2, and so does one that was stopped on the way, as long as the same schedule is
+//     handed the state that it gave. Any other state begins anew.
 //   - Events (RunOptions::events) need one clock: they are refused.
 
 #include <cstdint>
