@@ -9,6 +9,7 @@ VarianceTarget::VarianceTarget(double step, double max_step, double tolerance_ra
     : step_(step), max_step_(max_step), tolerance_random_(tolerance_random), tolerance_bias_(tolerance_bias) {
   require_positive("step", step);
   require_positive("max_step", max_step, true);
+  if (step > max_step) throw std::invalid_argument("step must not exceed max_step");
   require_positive("tolerance_random", tolerance_random);
   require_positive("tolerance_bias", tolerance_bias);
 }

@@ -44,9 +44,10 @@ std::unique_ptr<Control> read_last_two(const Value& control, const TruncationLaw
 
 std::unique_ptr<Control> read_variance(const Value& control, const TruncationLaw&) {
   control.only({"type", "step", "max_step", "tolerance_random", "tolerance_bias", "courant"});
-  return std::make_unique<VarianceTarget>(control.at("step").number(positive), read_max_step(control),
-                                          control.at("tolerance_random").number(positive),
-                                          control.at("tolerance_bias").number(positive));
+  const double step = control.at("step").number(positive), max_step = read_max_step(control),
+               random = control.at("tolerance_random").number(positive),
+               bias = control.at("tolerance_bias").number(positive);
+  return checked(control, [&] { return std::make_unique<VarianceTarget>(step, max_step, random, bias); });
 }
 
 std::unique_ptr<Control> read_halve_double(const Value& control, const TruncationLaw& law) {

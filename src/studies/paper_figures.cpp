@@ -10,6 +10,7 @@
 
 #include "jetlag/output/files.hpp"
 #include "jetlag/output/pictures.hpp"
+#include "jetlag/scenes/error.hpp"
 #include "jetlag/scenes/run_scene.hpp"
 #include "output/film.hpp"
 #include "output/gnuplot.hpp"
@@ -102,7 +103,10 @@ void figure_1(const Arguments& arguments) {
              arguments.ellipse_step, arguments.members, failed);
   fmt::print("{:>8} {:>16} {:>22} {:>22}\n", "time [s]", "spread [m]", "mean - exact [m]",
              "spread / sqrt(members)");
-  if (members.empty()) return;
+  if (members.size() < 2) {
+    fmt::print("too few are left for a spread: take a shorter --ellipse-step\n");
+    return;
+  }
   std::string csv = "time,spread,error_of_the_mean\n";
   double last_spread = 0;
   for (std::size_t f = 1; f < exact.size(); ++f) {
@@ -119,7 +123,8 @@ void figure_1(const Arguments& arguments) {
     csv += number(exact[f].time) + ',' + number(spread) + ',' + number(bias) + '\n';
   }
   write_file(arguments.folder / "figure1.csv", csv);
-  if (can_draw()) draw_spread(arguments.folder / "figure1.png", scene.shape, members, exact, last_spread);
+  if (can_draw() && last_spread > 0)
+    draw_spread(arguments.folder / "figure1.png", scene.shape, members, exact, last_spread);
 }
 
 // ---- figures 2 and 3 -------------------------------------------------------------------------------------
@@ -130,7 +135,7 @@ struct Curve {
 };
 
 /// The body at rest, without gravity, struck: all velocities normal with deviation 1 m/s.
-Curve energies(int min_degree, int max_degree, double friction, const Arguments& arguments) {
+Scene body_scene(int min_degree, int max_degree, double friction, const Arguments& arguments) {
   Json particles = {{"mass", 1.0}, {"velocity", {{"normal", 1.0}}}};
   if (arguments.mesh.empty()) {
     particles["ellipsoid"] = {{"radii", {0.8, 1.2, 0.8}}, {"cells", {8, 8}}, {"cut", {0.9, 0.95}}};
@@ -152,7 +157,11 @@ Curve energies(int min_degree, int max_degree, double friction, const Arguments&
                       {"control", {{"type", "fixed"}, {"step", arguments.step}}},
                       {"until", arguments.until},
                       {"output", {{"frames", 240}, {"pictures", false}}}};
-  const RunResult result = run_scene(read_scene(scene.dump(), "paper figures", "."));
+  return read_scene(scene.dump(), "paper figures", ".");
+}
+
+Curve energies(int min_degree, int max_degree, double friction, const Arguments& arguments) {
+  const RunResult result = run_scene(body_scene(min_degree, max_degree, friction, arguments));
   const double initial = result.energies.front().energy.total(), last = result.energies.back().energy.total();
   fmt::print("  ({},{},.5), friction {:<4g}  E/E0 at the end {:>10.4g}   rate {:>+8.3f} /s   {}\n",
              min_degree, max_degree, friction, last / initial,
@@ -196,6 +205,12 @@ void draw_curves(const std::filesystem::path& folder, const char* name, const ch
 }
 
 int run_figures(const Arguments& arguments) {
+  for (const auto& [option, value] : {std::pair("--step", arguments.step),
+                                      {"--until", arguments.until},
+                                      {"--ellipse-step", arguments.ellipse_step}})
+    if (!std::isfinite(value))
+      throw SceneError(fmt::format("{}: got {}; must be a finite number > 0", option, value));
+  body_scene(4, 16, 0.0, arguments);  // refuses a mesh before anything is written
   std::filesystem::create_directories(arguments.folder);
   figure_1(arguments);
   const std::string body = arguments.mesh.empty() ? "generated body" : arguments.mesh;

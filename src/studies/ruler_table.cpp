@@ -13,6 +13,8 @@
 #include "jetlag/forces/gravity.hpp"
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/motion/energy.hpp"
+#include "jetlag/output/files.hpp"
+#include "jetlag/scenes/error.hpp"
 
 namespace jetlag {
 
@@ -101,6 +103,11 @@ void run_row(const Row& row, const Arguments& arguments) {
 }
 
 int run(const Arguments& arguments) {
+  if (std::isnan(arguments.eccentricity))
+    throw SceneError("--eccentricity: got nan; must be a number from 0 to 0.9");
+  if (!(arguments.steps * arguments.periods >= 2))  // growth is that from half of the time to all of it
+    throw SceneError("--steps: got " + number(arguments.steps) +
+                     "; must be a number of at least 1, 2 in all periods");
   std::printf(
       "planet, e = %g, %g steps a period, %d periods, RMS of %d seeds, velocities by the derivative\n",
       arguments.eccentricity, arguments.steps, arguments.periods, arguments.seeds);

@@ -50,7 +50,6 @@ TruncationLaw law_of(const Arguments& arguments) {
                                    fmt::join(arguments.tail, ","), error.what()));
     }
   }
-  if (!arguments.tail.empty()) throw SceneError("--tail: must be left out unless --law is tail");
   if (arguments.max < arguments.min)
     throw SceneError(fmt::format("--max: got {}; must be at least --min = {}", arguments.max, arguments.min));
   if (arguments.law == "poisson") {
@@ -205,7 +204,18 @@ void add_stability(CLI::App& app, std::optional<Study>& chosen) {
       ->capture_default_str();
   command->add_option("--out", arguments->folder, "folder for stability.csv and stability.svg")
       ->capture_default_str();
-  command->callback([&chosen, arguments] { chosen = [arguments] { return run_stability(*arguments); }; });
+  command->callback([&chosen, arguments, command] {
+    const std::string law = arguments->law;
+    for (const auto& [option, owners] :
+         {std::pair<const char*, std::vector<std::string>>{"--min", {"geometric", "poisson"}},
+          {"--max", {"geometric", "poisson"}},
+          {"--probability", {"geometric"}},
+          {"--mean", {"poisson"}},
+          {"--tail", {"tail"}}})
+      if (command->count(option) > 0 && std::ranges::find(owners, law) == owners.end())
+        throw CLI::ValidationError(option, std::string("must be left out with --law ") + law);
+    chosen = [arguments] { return run_stability(*arguments); };
+  });
 }
 
 }  // namespace jetlag
