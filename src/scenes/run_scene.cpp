@@ -21,7 +21,7 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Hands out the frames that fall into each step, and keeps the table of energies.
+/// Hands out the frames, and keeps the table of energies.
 class Recorder {
  public:
   Recorder(const Scene& scene, const RunHooks& hooks, RunResult& result)
@@ -30,17 +30,11 @@ class Recorder {
     record(scene.initial);
   }
 
-  void after_step(const StepView& view) {
-    std::optional<Piece> piece;
-    while (next_ <= scene_.output.frames && time_of(next_) <= view.state.time) {
-      const double t = time_of(next_);
-      if (t == view.state.time) {
-        record(view.state);
-      } else {
-        if (!piece) piece = view.integrator.piece();
-        record(piece->at(t));
-      }
-    }
+  /// The times of all frames but the first.
+  std::vector<double> times() const {
+    std::vector<double> times;
+    for (int frame = 1; frame <= scene_.output.frames; ++frame) times.push_back(time_of(frame));
+    return times;
   }
 
   /// The state where a run has ended early, unless it is a frame already.
@@ -48,13 +42,7 @@ class Recorder {
     if (state.time > last_time_) record(state);
   }
 
- private:
-  double time_of(int frame) const {
-    return frame == scene_.output.frames ? scene_.until : scene_.until * frame / scene_.output.frames;
-  }
-
   void record(const State<double>& state) {
-    ++next_;
     last_time_ = state.time;
     if (meter_) {
       const Energy energy = (*meter_)(state);
@@ -70,12 +58,16 @@ class Recorder {
     if (hooks_.frame) hooks_.frame({state.time, state.position, state.velocity});
   }
 
+ private:
+  double time_of(int frame) const {
+    return frame == scene_.output.frames ? scene_.until : scene_.until * frame / scene_.output.frames;
+  }
+
   const Scene& scene_;
   const RunHooks& hooks_;
   RunResult& result_;
   std::optional<EnergyMeter> meter_;
   double largest_kinetic_ = 0, last_time_ = 0;
-  int next_ = 0;
 };
 
 /// Keeps frames for the film strip: all of a small scene, evenly spaced ones of a large one.
@@ -139,14 +131,19 @@ RunResult run_schedule(const Scene& scene, Schedule& schedule, const RunHooks& h
   const auto start = Clock::now();
   RunOptions options;
   options.max_steps = scene.max_steps;
-  options.after_step = [&](const StepView& view) {
+  options.frame_times = recorder.times();
+  const auto untimed = [&](const auto& f) {
     const auto begin = Clock::now();
-    recorder.after_step(view);
-    const bool go_on =
-        !hooks.after_step || hooks.after_step({view.state.time, scene.until, schedule.work().steps});
+    f();
     recording += seconds_since(begin);
-    return go_on;
   };
+  options.at_frame = [&](const State<double>& at) { untimed([&] { recorder.record(at); }); };
+  if (hooks.after_step)
+    options.go_on = [&](double time) {
+      bool go_on = true;
+      untimed([&] { go_on = hooks.after_step({time, scene.until, schedule.work().steps}); });
+      return go_on;
+    };
   const Report report = schedule.run(state, scene.until, options);
   summary.wall_seconds = seconds_since(start) - recording;
   if (report.outcome != Outcome::success) recorder.last_good(state);

@@ -32,19 +32,23 @@ struct Work {
   }
 };
 
-class Integrator {
+/// What can be asked about the step that was taken last.
+class LastStep {
  public:
-  virtual ~Integrator() = default;
+  virtual ~LastStep() = default;
 
+  /// The motion during it: begin is the time at its beginning.
+  virtual Piece piece() const = 0;
+
+  virtual const Work& work() const = 0;
+};
+
+class Integrator : public LastStep {
+ public:
   /// One step of at most `limit` [s]: the length the control proposes, or `limit` where that is shorter. state.time
   /// is the beginning of the step and stays so: the caller keeps the time. Rests of the state are kept by methods with
   /// compensated sums and dropped by others. Returns the length; on failure 0.
   virtual double step(State<double>& state, double limit, Report& report) = 0;
-
-  /// The motion during the last step: begin is state.time of that step.
-  virtual Piece piece() const = 0;
-
-  virtual const Work& work() const = 0;
 };
 
 /// The step to take: the proposal, or the limit where that is shorter or nearly reached (no tiny last step remains).

@@ -14,9 +14,16 @@ namespace jetlag {
 
 /// What an observer sees after each step.
 struct StepView {
-  const Integrator& integrator;  // piece() is the motion during this step, work() the cost so far
-  const State<double>& state;    // at the end of the step
-  double begin;                  // [s]
+  const LastStep& integrator;  // piece() is the motion during this step, work() the cost so far
+  const State<double>& state;  // at the end of the step
+  double begin;                // [s]
+};
+
+/// A particle received a new piece.
+struct Update {
+  int particle;
+  double begin, step;  // [s]
+  int degree;          // of its position polynomial: the highest order that is not zero
 };
 
 struct RunOptions {
@@ -27,8 +34,21 @@ struct RunOptions {
   /// Where every hit is appended, in order of time; null: nowhere.
   std::vector<EventHit>* hits = nullptr;
 
-  /// Called after every step, after its events; returning false ends the run as `interrupted`.
+  /// Called after every step, after its events; returning false ends the run as `interrupted`. With a clock for each
+  /// particle the state is put together for it: that costs O(particles) a step, and nothing where nobody asks.
   std::function<bool(const StepView&)> after_step;
+
+  /// As after_step, but told the time only, which costs nothing.
+  std::function<bool(double time)> go_on;
+
+  /// Times [s], ascending, beyond the beginning of the run, at which the state is wanted; and who gets it. It is taken
+  /// from the motion itself: no step ends there for its sake.
+  std::vector<double> frame_times;
+  std::function<void(const State<double>&)> at_frame;
+
+  /// Told about every update, those of one particle in order of time, once the length of its step is known and before
+  /// any frame beyond its end. Fixed particles may be among them. Costs a piece a step; nothing where nobody asks.
+  std::function<void(const Update&)> on_update;
 };
 
 class Schedule {
