@@ -21,6 +21,7 @@
 #include "jetlag/motion/piece.hpp"
 #include "jetlag/motion/system.hpp"
 #include "jetlag/motion/trajectory.hpp"
+#include "jetlag/schedule/avi.hpp"
 #include "jetlag/schedule/events.hpp"
 #include "jetlag/schedule/lockstep.hpp"
 #include "jetlag/schedule/record.hpp"
