@@ -274,11 +274,11 @@ bool Avi::push(Clock& clock, double time, double share, Report& report) {
   return true;
 }
 
-/// All clocks that ring at the next time.
+/// All clocks that ring at the next time, but for the rounding of times: 10 steps of 0.1 and one of 1 end together.
 bool Avi::next_impulses(const RunOptions& options, Report& report) {
-  const double now = due_.front().time;
+  const double now = next_time(), together = now + tolerance * clocks_.front().step;
   ++work_.steps;
-  while (!due_.empty() && due_.front().time == now) {
+  while (next_time() <= together) {
     std::ranges::pop_heap(due_, std::greater<>());
     const int number = due_.back().clock;
     due_.pop_back();
