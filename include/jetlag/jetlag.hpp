@@ -24,6 +24,7 @@
 #include "jetlag/motion/system.hpp"
 #include "jetlag/motion/trajectory.hpp"
 #include "jetlag/schedule/asynchronous.hpp"
+#include "jetlag/schedule/avi.hpp"
 #include "jetlag/schedule/block.hpp"
 #include "jetlag/schedule/events.hpp"
 #include "jetlag/schedule/lockstep.hpp"

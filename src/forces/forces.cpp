@@ -7,4 +7,6 @@ template RecordedLaw record_law<Spring>(int);
 template RecordedLaw record_law<UniformField>(int);
 template RecordedLaw record_law<Drag>(int);
 template RecordedLaw record_law<Gravity>(int);
+template RecordedLaw record_law<Floor>(int);
+template RecordedLaw record_law<QuadraticFloor>(int);
 }  // namespace jetlag

@@ -75,6 +75,21 @@ std::string fixed(const Shape& shape) {
   return text;
 }
 
+/// Numbers one to a line.
+template <class T>
+std::string column(const std::vector<T>& values) {
+  std::string text;
+  for (const T value : values) text += number(static_cast<double>(value)) + '\n';
+  return text;
+}
+
+/// What the clocks of the particles showed, if it is known.
+std::string clocks(const Frame& frame) {
+  if (frame.step.empty()) return {};
+  return array("type=\"Float64\" Name=\"step\"", column(frame.step)) +
+         array("type=\"Int32\" Name=\"degree\"", column(frame.degree));
+}
+
 std::string file(const std::string& type, const std::string& content) {
   return "<?xml version=\"1.0\"?>\n<VTKFile type=\"" + type + "\" version=\"1.0\">\n<" + type + ">\n" +
          content + "</" + type + ">\n</VTKFile>\n";
@@ -96,7 +111,8 @@ void write_vtu(const std::filesystem::path& path, const Shape& shape, const Fram
                "<Points>\n" + array("type=\"Float64\" Name=\"position\" " + three, rows(frame.position)) +
                "</Points>\n<Cells>\n" + text + "</Cells>\n<PointData Vectors=\"velocity\">\n" +
                array("type=\"Float64\" Name=\"velocity\" " + three, rows(frame.velocity)) +
-               array("type=\"UInt8\" Name=\"fixed\"", fixed(shape)) + "</PointData>\n</Piece>\n"),
+               array("type=\"UInt8\" Name=\"fixed\"", fixed(shape)) + clocks(frame) +
+               "</PointData>\n</Piece>\n"),
       Until::handed_over);
 }
 

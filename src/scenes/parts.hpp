@@ -52,6 +52,9 @@ Method read_method(const Value& scene, std::shared_ptr<const System<double>> sys
 Method read_clocks(const Value& scene, const Value& schedule, std::shared_ptr<const System<double>> system,
                    std::uint64_t seed);
 
+/// The same for {"type": "avi"}, which has a clock for each element.
+Method read_avi(const Value& scene, std::shared_ptr<const System<double>> system);
+
 /// Runs f; a std::invalid_argument becomes a SceneError about `value`.
 template <class F>
 auto checked(const Value& value, F f) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "jetlag/forces/forces.hpp"
@@ -129,6 +130,31 @@ Pairs read_uniform_field(const Value& force, const Particles& particles, System<
   return {};
 }
 
+/// "normal", made of length 1; up where it is left out: the second axis, on a line the only one.
+std::array<double, 3> read_normal(const Value& force, int dimension) {
+  std::vector<double> up(dimension, 0.0);
+  up[dimension == 1 ? 0 : 1] = 1.0;
+  const Value normal = force.at("normal", up);
+  const auto n = normal.vector(dimension);
+  const double length = std::hypot(n[0], dimension > 1 ? n[1] : 0.0, dimension > 2 ? n[2] : 0.0);
+  if (!(length > 0 && std::isfinite(length))) normal.refuse("a direction: numbers that are not all 0");
+  std::array<double, 3> unit{};
+  for (int c = 0; c < dimension; ++c) unit[c] = n[c] / length;
+  return unit;
+}
+
+Pairs read_floor(const Value& force, const Particles& particles, System<double>& system) {
+  force.only({"type", "stiffness", "height", "normal", "power"});
+  const double stiffness = force.at("stiffness").number(non_negative),
+               height = force.at("height", 0.0).number();
+  const auto [x, y, z] = read_normal(force, particles.dimension);
+  if (force.at("power", 1).integer(1, 2) == 1)
+    system.add<Floor>(moving(particles), {{stiffness, height, x, y, z}});
+  else
+    system.add<QuadraticFloor>(moving(particles), {{stiffness, height, x, y, z}});
+  return {};
+}
+
 struct ForceReader {
   const char* type;
   Pairs (*read)(const Value&, const Particles&, System<double>&);  // returns the pairs to draw
@@ -136,7 +162,8 @@ struct ForceReader {
 constexpr ForceReader readers[] = {{Spring::name, read_spring},
                                    {Drag::name, read_drag},
                                    {UniformField::name, read_uniform_field},
-                                   {Gravity::name, read_gravity}};
+                                   {Gravity::name, read_gravity},
+                                   {Floor::name, read_floor}};
 
 }  // namespace
 

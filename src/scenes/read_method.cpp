@@ -205,12 +205,17 @@ struct IntegratorReader {
   const char* type;
   IntegratorFactory (*read)(const MethodArguments&);
 };
-constexpr IntegratorReader integrators[] = {
-    {"taylor", read_taylor}, {"random_taylor", read_random_taylor}, {"leapfrog", read_leapfrog}};
+constexpr IntegratorReader integrators[] = {{"taylor", read_taylor},
+                                            {"random_taylor", read_random_taylor},
+                                            {"leapfrog", read_leapfrog},
+                                            {"avi", nullptr}};  // brings its own schedule: read_avi
 
 }  // namespace
 
 Method read_method(const Value& scene, std::shared_ptr<const System<double>> system, std::uint64_t seed) {
+  const Value integrator = scene.at("integrator");
+  if (!integrator.is_object()) integrator.refuse("an object with a type");
+  if (!chosen(integrator, integrators).read) return read_avi(scene, std::move(system));
   const Value schedule = scene.at("schedule", Json{{"type", "lockstep"}});
   if (schedule.at("type", "lockstep").one_of({"lockstep", "block", "asynchronous"}) != "lockstep")
     return read_clocks(scene, schedule, std::move(system), seed);
@@ -222,8 +227,7 @@ Method read_method(const Value& scene, std::shared_ptr<const System<double>> sys
   const int threads =
       schedule.has("threads") ? static_cast<int>(schedule.at("threads").integer(1, most_threads)) : 1;
 
-  const Value integrator = scene.at("integrator"), control = scene.at("control");
-  if (!integrator.is_object()) integrator.refuse("an object with a type");
+  const Value control = scene.at("control");
   if (!control.is_object()) control.refuse("an object with a type");
   const auto method =
       chosen(integrator, integrators).read({integrator, control, std::move(system), seed, threads});

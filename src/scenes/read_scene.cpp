@@ -14,9 +14,10 @@ namespace jetlag {
 namespace {
 
 OutputOptions read_output(const Value& output) {
-  output.only({"frames", "energy", "pictures"});
+  output.only({"frames", "energy", "pictures", "clocks"});
   return {static_cast<int>(output.at("frames", 100).integer(1, 1'000'000)),
-          output.at("energy", true).boolean(), output.at("pictures", true).boolean()};
+          output.at("energy", true).boolean(), output.at("pictures", true).boolean(),
+          output.at("clocks", false).boolean()};
 }
 
 Shape shape_of(const Particles& particles, std::vector<std::array<int, 2>> lines) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "jetlag/output/clocks.hpp"
 #include "jetlag/output/files.hpp"
 #include "jetlag/output/pictures.hpp"
 #include "jetlag/output/vtu.hpp"
@@ -55,7 +56,13 @@ class Recorder {
       double& worst = result_.summary.max_relative_energy_error;
       worst = std::max(worst, std::abs(error));
     }
-    if (hooks_.frame) hooks_.frame({state.time, state.position, state.velocity});
+    if (!hooks_.frame) return;
+    Frame frame{state.time, state.position, state.velocity};
+    if (result_.clocks) {
+      frame.step = result_.clocks->step();
+      frame.degree = result_.clocks->degree();
+    }
+    hooks_.frame(frame);
   }
 
  private:
@@ -110,7 +117,8 @@ bool is_frame(const std::string& name) {
 }
 
 void remove_earlier_run(const std::filesystem::path& folder) {
-  for (const char* name : {"summary.json", "energy.csv", "energy.svg", "film.png", "film.svg"})
+  for (const char* name :
+       {"summary.json", "energy.csv", "energy.svg", "film.png", "film.svg", "clocks.csv", "clocks.svg"})
     std::filesystem::remove(folder / name);
   if (std::filesystem::is_directory(folder / "frames"))
     for (const auto& entry : std::filesystem::directory_iterator(folder / "frames"))
@@ -125,6 +133,7 @@ RunResult run_schedule(const Scene& scene, Schedule& schedule, const RunHooks& h
   RunResult result;
   Summary& summary = result.summary;
   State<double> state = scene.initial;
+  if (scene.output.clocks) result.clocks.emplace(scene.system->fixed());
   Recorder recorder(scene, hooks, result);
 
   double recording = 0;  // seconds spent on frames and hooks, which are not part of the integration
@@ -138,6 +147,8 @@ RunResult run_schedule(const Scene& scene, Schedule& schedule, const RunHooks& h
     recording += seconds_since(begin);
   };
   options.at_frame = [&](const State<double>& at) { untimed([&] { recorder.record(at); }); };
+  if (result.clocks)
+    options.on_update = [&](const Update& update) { untimed([&] { result.clocks->add(update); }); };
   if (hooks.after_step)
     options.go_on = [&](double time) {
       bool go_on = true;
@@ -192,6 +203,7 @@ RunResult run_scene_into(const Scene& scene, const std::filesystem::path& folder
   RunResult result = run_schedule(scene, *schedule, all);
   write_pvd(folder / "frames" / "run.pvd", times, names);
   if (scene.output.energy) write_energy_csv(folder / "energy.csv", result.energies);
+  if (result.clocks) write_clocks_csv(folder / "clocks.csv", *result.clocks);
   write_file(folder / "summary.json", to_json(result.summary));
 
   if (scene.output.pictures && !can_draw()) {
@@ -199,6 +211,7 @@ RunResult run_scene_into(const Scene& scene, const std::filesystem::path& folder
   } else if (scene.output.pictures) {
     try {
       if (scene.output.energy) draw_energy(folder / "energy.csv", folder / "energy.svg", scene.name);
+      if (result.clocks) draw_clocks(folder / "clocks.svg", *result.clocks, scene.until, scene.name);
       draw_film(folder / "film.png", scene.shape, film.all(), scene.name);
     } catch (const std::runtime_error& error) {
       warnings.push_back(error.what());

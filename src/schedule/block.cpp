@@ -65,13 +65,16 @@ bool BlockSteps::update(Report& report) {
   Group* group = all ? nullptr : &group_from(level);
   if (!(all ? motion_->update_all(now, report) : motion_->update(group->expansion, now, report)))
     return false;
-  if (!choose_levels(all ? motion_->moving() : group->expansion.active(), now, report)) return false;
+  updated_ = all ? &motion_->moving() : &group->expansion.active();
+  if (!choose_levels(*updated_, now, report)) return false;
   begun_ = true;
   int finest = Ticks::finest;
   while (of_level_[finest].empty()) --finest;
   next_ = now + Ticks::step(finest);
   return true;
 }
+
+std::int64_t BlockSteps::step_of(int particle) const { return Ticks::step(level_[particle]); }
 
 /// Levels for those that have been updated: what their series ask for, within the rules.
 bool BlockSteps::choose_levels(const std::vector<int>& updated, std::int64_t now, Report& report) {

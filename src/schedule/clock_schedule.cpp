@@ -93,6 +93,8 @@ Report ClockSchedule::run(State<double>& state, double until, const RunOptions& 
       return report;
     }
     const double begin = ticks.time(now);
+    if (options.on_update)
+      for (int i : updated()) options.on_update({i, begin, ticks.seconds(step_of(i)), motion_->degree_of(i)});
     end = std::min(until, ticks.time(due()));
     frames.up_to(end, [&](double t) { return motion_->at(t); });
     const auto at_end = [&] { return end < until ? motion_->at_tick(due()) : motion_->at(until); };

@@ -58,6 +58,7 @@ class LocalMotion {
   }
 
   const Work& work() const { return work_; }
+  int degree_of(int particle) const { return degree_[particle]; }
 
  private:
   double* series(std::size_t particle) { return series_.data() + particle * size_; }

@@ -8,6 +8,22 @@
 
 namespace jetlag {
 
+namespace {
+
+/// The highest order whose coefficient of a particle is not zero.
+int degree_of(const Piece& piece, int particle) {
+  int k = static_cast<int>(piece.position.size()) - 1;
+  while (k > 0 && piece.position[k].row(particle).isZero(0.0)) --k;
+  return k;
+}
+
+void tell_updates(const Piece& piece, double step, const std::function<void(const Update&)>& on_update) {
+  for (int i = 0; i < piece.position.front().rows(); ++i)
+    on_update({i, piece.begin, step, degree_of(piece, i)});
+}
+
+}  // namespace
+
 Report Lockstep::run(State<double>& state, double until, const RunOptions& options) {
   if (!(until >= state.time))
     throw std::invalid_argument("run: until must not lie before the time of the state");
@@ -37,6 +53,7 @@ Report Lockstep::run(State<double>& state, double until, const RunOptions& optio
       if (report.outcome != Outcome::success && report.outcome != Outcome::event) return report;
       if (state.time != end) lost = lost_before;  // the step ends at an event, by the clock of its beginning
     }
+    if (options.on_update) tell_updates(integrator_->piece(), state.time - begin, options.on_update);
     if (frames.wants(state.time)) {
       const Piece piece = integrator_->piece();
       frames.up_to(state.time, [&](double t) { return t == state.time ? state : piece.at(t); });

@@ -68,6 +68,15 @@ class Vtu : public Scratch {
   Frame frame;
 };
 
+TEST_F(Vtu, ShowsTheClocksOfTheParticlesWhereTheyAreKnown) {
+  EXPECT_EQ(written(plane, frame).arrays.count("step"), 0u);
+  frame.step = {0.1, 1.0 / 3.0, 0.0};
+  frame.degree = {3, 6, 0};
+  const Grid grid = written(plane, frame);
+  EXPECT_THAT(grid.arrays.at("step"), ElementsAre(0.1, 1.0 / 3.0, 0.0));
+  EXPECT_THAT(grid.arrays.at("degree"), ElementsAre(3, 6, 0));
+}
+
 TEST_F(Vtu, KeepsEveryBitAndPadsThePlaneToSpace) {
   const Grid grid = written(plane, frame);
   EXPECT_EQ(grid.points, 3);

@@ -106,6 +106,25 @@ TEST(Scenes,
   EXPECT_EQ(result.summary.work.steps, 4u);
 }
 
+TEST(Scenes, GiveEveryElementAClockAndShowIt) {
+  const Scene scene = load_scene(
+      "chain", {R"(forces=[{"type": "spring", "pairs": [[0, 1]], "stiffness": 5000, "rest_length": 1},
+                           {"type": "spring", "pairs": [[1, 2]], "stiffness": 1, "rest_length": 1}])",
+                R"(integrator={"type": "avi"})", R"(control={"step": [0.001, 0.01]})", "until=1",
+                "output.clocks=true"});
+  const RunResult result = run_scene(scene);
+  EXPECT_EQ(result.summary.outcome, Outcome::success);
+  EXPECT_EQ(result.summary.time, 1.0);
+  EXPECT_EQ(result.summary.work.element_coefficients, 1001u + 101u);
+  EXPECT_EQ(result.energies.size(), 101u);
+  // Leapfrog's error of the stiff spring, (omega h)^2 / 4, of the impulses of the soft one on it less than a tenth.
+  EXPECT_LT(result.summary.max_relative_energy_error, 0.01);
+  ASSERT_TRUE(result.clocks);
+  for (const Update& update : result.clocks->rows())
+    EXPECT_NEAR(update.step, update.particle == 1 ? 0.001 : 0.01, 1e-15);
+  EXPECT_EQ(result.clocks->rows().size(), 1000u + 100u);
+}
+
 TEST(Scenes, SameSeedSameBitsOtherSeedOtherBits) {
   const std::string scene = "body --set until=0.2 --set output.frames=2";
   const Json a = summary_of(scene), b = summary_of(scene), c = summary_of(scene + " --seed 2");

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "jetlag/forces/drag.hpp"
+#include "jetlag/forces/floor.hpp"
 #include "jetlag/forces/gravity.hpp"
 #include "jetlag/forces/spring.hpp"
 #include "jetlag/forces/uniform_field.hpp"
@@ -23,6 +24,8 @@ struct LawList {
 using Forces = LawList<Spring,        //
                        UniformField,  //
                        Drag,          //
-                       Gravity>;
+                       Gravity,       //
+                       Floor,         //
+                       QuadraticFloor>;
 
 }  // namespace jetlag

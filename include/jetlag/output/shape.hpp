@@ -23,6 +23,10 @@ struct Shape {
 struct Frame {
   double time = 0;                         // [s]
   Coordinates<double> position, velocity;  // [m], [m/s]: shape (particles, dimension)
+
+  /// Of each particle, where the clocks of a run are recorded: the step of its last update, and the degree; else empty.
+  std::vector<double> step{};  // [s]
+  std::vector<int> degree{};
 };
 
 /// The triangles that belong to one tetrahedron only, turning left when seen from outside, in the order in

@@ -4,9 +4,11 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "jetlag/output/clocks.hpp"
 #include "jetlag/output/energy_table.hpp"
 #include "jetlag/output/shape.hpp"
 #include "jetlag/output/summary.hpp"
@@ -26,7 +28,8 @@ struct RunHooks {
 
 struct RunResult {
   Summary summary;
-  std::vector<EnergyRow> energies;  // one for each frame, when the scene asks for the energy
+  std::vector<EnergyRow> energies;   // one for each frame, when the scene asks for the energy
+  std::optional<ClockTable> clocks;  // when the scene asks for them
 };
 
 /// Runs a scene from its initial state. The energy is measured at the frames, on the polynomials of the motion, and at
@@ -35,7 +38,7 @@ struct RunResult {
 RunResult run_scene(const Scene& scene, const RunHooks& hooks = {});
 
 /// As above, and leaves in `folder`: scene.json, summary.json, energy.csv, frames/run.pvd with a .vtu for each frame,
-/// and where gnuplot is there energy.svg and film.png. What an earlier run left there under these names is replaced.
+/// where the scene asks for clocks clocks.csv, and where gnuplot is there energy.svg, clocks.svg and film.png. What an earlier run left there under these names is replaced.
 /// warnings: what could not be drawn. Throws std::runtime_error naming a file that cannot be written.
 RunResult run_scene_into(const Scene& scene, const std::filesystem::path& folder, const RunHooks& hooks,
                          std::vector<std::string>& warnings);

@@ -24,6 +24,7 @@ struct OutputOptions {
   int frames = 100;      // besides the first; evenly spaced in time
   bool energy = true;    // energy.csv, and the energy in the summary
   bool pictures = true;  // through gnuplot, where it is there
+  bool clocks = false;   // clocks.csv, clocks.svg, and step and degree in the frames
 };
 
 /// A checked scene, ready to run.

@@ -47,6 +47,8 @@ class Asynchronous final : public ClockSchedule {
   void begin_clocks() override;
   std::int64_t due() const override { return queue_.time(); }
   bool update(Report& report) override;
+  const std::vector<int>& updated() const override { return due_; }
+  std::int64_t step_of(int particle) const override { return step_[particle]; }
 
   void expected_positions(std::int64_t now);
   void notify_neighbours(std::int64_t now);

@@ -44,6 +44,8 @@ class BlockSteps final : public ClockSchedule {
   void begin_clocks() override;
   std::int64_t due() const override { return next_; }
   bool update(Report& report) override;
+  const std::vector<int>& updated() const override { return *updated_; }
+  std::int64_t step_of(int particle) const override;
 
   int lowest_from(int level) const;
   Group& group_from(int level);
@@ -54,6 +56,7 @@ class BlockSteps final : public ClockSchedule {
   int grading_;
   std::int64_t next_ = 0;
   bool begun_ = false;
+  const std::vector<int>* updated_ = nullptr;
   std::vector<int> level_, place_;          // of each particle, and its place among those of its level
   std::vector<std::vector<int>> of_level_;  // particles
   std::vector<std::unique_ptr<Group>>

@@ -45,6 +45,9 @@ class ClockSchedule : public Schedule {
   virtual std::int64_t due() const = 0;
   /// Updates those who are due.
   virtual bool update(Report& report) = 0;
+  /// Those who have been updated last, and the ticks in the step that each has begun.
+  virtual const std::vector<int>& updated() const = 0;
+  virtual std::int64_t step_of(int particle) const = 0;
 
   /// The report for steps that no longer change the time.
   Report underflow(std::int64_t now, const std::vector<int>& particles) const;

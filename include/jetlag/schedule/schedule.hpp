@@ -19,6 +19,13 @@ struct StepView {
   double begin;                // [s]
 };
 
+/// A particle received a new piece.
+struct Update {
+  int particle;
+  double begin, step;  // [s]
+  int degree;          // of its position polynomial: the highest order that is not zero
+};
+
 struct RunOptions {
   std::uint64_t max_steps = std::numeric_limits<std::uint64_t>::max();
 
@@ -38,6 +45,11 @@ struct RunOptions {
   /// from the motion itself: no step ends there for its sake.
   std::vector<double> frame_times;
   std::function<void(const State<double>&)> at_frame;
+
+  /// Told about every update, those of one particle in order of time, once the length of its step is known and before
+  /// any frame beyond its end. Fixed particles may be among them. Costs a piece a step; nothing where nobody asks. A step
+  /// that a neighbour ends early (`asynchronous`) was told at its full length.
+  std::function<void(const Update&)> on_update;
 };
 
 class Schedule {

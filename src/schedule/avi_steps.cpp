@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// The steps of the elements of an asynchronous variational integrator.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include "jetlag/control/courant.hpp"
+#include "jetlag/schedule/avi.hpp"
+
+namespace jetlag {
+
+namespace {
+
+/// omega_K^2 of element e, 0 without a stiffness.
+double squared_frequency(const System<double>& system, const Elements<double>& group, std::size_t e) {
+  const RecordedLaw& law = group.law;
+  if (law.stiffness_parameter < 0) return 0;
+  double inverse_mass = 0;
+  for (int i = 0; i < law.participants; ++i) {
+    const int particle = group.particles[e * law.participants + i];
+    if (!system.fixed()[particle]) inverse_mass += 1.0 / system.mass()[particle];
+  }
+  return inverse_mass * group.parameters[e * law.parameters.size() + law.stiffness_parameter];
+}
+
+double shortest(const ElementSteps& steps) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& group : steps)
+    for (const double step : group) least = std::min(least, step);
+  return least;
+}
+
+/// The shortest step that a particle takes part in.
+std::vector<double> shortest_of_particles(const System<double>& system, const ElementSteps& steps) {
+  std::vector<double> least(system.particles(), std::numeric_limits<double>::infinity());
+  for (std::size_t g = 0; g < steps.size(); ++g) {
+    const auto& group = system.elements()[g];
+    for (std::size_t e = 0; e < group.count(); ++e)
+      for (int i = 0; i < group.law.participants; ++i) {
+        double& of_particle = least[group.particles[e * group.law.participants + i]];
+        of_particle = std::min(of_particle, steps[g][e]);
+      }
+  }
+  return least;
+}
+
+}  // namespace
+
+ElementSteps equal_steps(const System<double>& system, double step) {
+  ElementSteps steps;
+  for (const auto& group : system.elements()) steps.emplace_back(group.count(), step);
+  return steps;
+}
+
+ElementSteps courant_steps(const System<double>& system, double fraction) {
+  if (!(fraction > 0 && fraction <= 1))
+    throw std::invalid_argument("courant must be in (0, 1], got " + std::to_string(fraction));
+  constexpr double unlimited = std::numeric_limits<double>::infinity();
+  ElementSteps steps = equal_steps(system, unlimited);
+  double longest = 0;
+  for (std::size_t g = 0; g < steps.size(); ++g) {
+    const auto& group = system.elements()[g];
+    if (group.count() > 0 && group.law.stiffness_parameter < 0 && !group.law.force.is_static())
+      throw std::invalid_argument("courant: no stiffness is known of " + group.law.name +
+                                  ", so that nothing bounds its step; give it one");
+    for (std::size_t e = 0; e < steps[g].size(); ++e)
+      if (const double omega = std::sqrt(squared_frequency(system, group, e)); omega > 0) {
+        steps[g][e] = fraction * 2.0 / omega;
+        longest = std::max(longest, steps[g][e]);
+      }
+  }
+  if (longest == 0)
+    throw std::invalid_argument("courant: no element has a stiffness that limits its step; give a step");
+  const std::vector<double> least = shortest_of_particles(system, steps);
+  for (std::size_t g = 0; g < steps.size(); ++g)
+    for (std::size_t e = 0; e < steps[g].size(); ++e)
+      if (steps[g][e] == unlimited) {
+        const auto& group = system.elements()[g];
+        for (int i = 0; i < group.law.participants; ++i)
+          steps[g][e] = std::min(steps[g][e], least[group.particles[e * group.law.participants + i]]);
+        steps[g][e] = std::min(steps[g][e], longest);
+      }
+  return steps;
+}
+
+ElementSteps without_resonance(const System<double>& system, ElementSteps steps) {
+  constexpr double margin = 0.8 * std::numbers::pi;
+  const double omega = frequency_bound(system), h = shortest(steps);
+  if (omega == 0)
+    throw std::invalid_argument(
+        "without_resonance: no element has a stiffness, so that no frequency is known");
+  if (!(h * omega < 2))
+    throw std::invalid_argument("without_resonance: the shortest step is " + std::to_string(h) +
+                                "; must be below 2/omega = " + std::to_string(2 / omega));
+  const double omega_h = 2 / h * std::asin(h * omega / 2);
+  double longest = h;
+  while (2 * longest * omega_h <= margin) longest *= 2;
+  for (auto& group : steps)
+    for (double& step : group) {
+      const double most = std::min(step, longest);
+      step = h;
+      while (2 * step <= most) step *= 2;
+    }
+  return steps;
+}
+
+}  // namespace jetlag
