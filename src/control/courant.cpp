@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "jetlag/control/courant.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "jetlag/forces/drag.hpp"
 
 namespace jetlag {
 
-double frequency_bound(const System<double>& system) {
+std::vector<double> frequency_bounds(const System<double>& system) {
   std::vector<double> load(system.particles(), 0.0);  // sum of stiffness / mass at a particle
   const auto inverse_mass = [&](int i) { return system.fixed()[i] ? 0.0 : 1.0 / system.mass()[i]; };
   const auto for_each_stiff = [&](auto use) {
@@ -22,13 +24,19 @@ double frequency_bound(const System<double>& system) {
   for_each_stiff([&](const int* p, int participants, double k) {
     for (int i = 0; i < participants; ++i) load[p[i]] += k * inverse_mass(p[i]);
   });
-  double bound = 0;
+  std::vector<double> bound(system.particles(), 0.0);
   for_each_stiff([&](const int* p, int participants, double) {
     double sum = 0;
     for (int i = 0; i < participants; ++i) sum += load[p[i]];
-    bound = std::max(bound, sum);
+    for (int i = 0; i < participants; ++i) bound[p[i]] = std::max(bound[p[i]], sum);
   });
-  return std::sqrt(bound);
+  for (double& b : bound) b = std::sqrt(b);
+  return bound;
+}
+
+double frequency_bound(const System<double>& system) {
+  const auto bounds = frequency_bounds(system);
+  return bounds.empty() ? 0.0 : *std::ranges::max_element(bounds);
 }
 
 double common_damping(const System<double>& system) {
@@ -52,9 +60,32 @@ double courant_limit(const TruncationLaw& law, VelocitySeries velocity, double o
   return omega * band_stability_limit(law, velocity, {omega, damping});
 }
 
-Courant::Courant(std::unique_ptr<Control> inner, double safety, double limit, double omega)
-    : inner_(std::move(inner)),
-      largest_step_(omega > 0 ? safety * limit / omega : std::numeric_limits<double>::infinity()) {
+std::vector<double> courant_steps_of_particles(const System<double>& system, const TruncationLaw& law,
+                                               VelocitySeries velocity, double safety) {
+  const double damping = common_damping(system);
+  const std::vector<double> omega = frequency_bounds(system);
+  const double fastest = omega.empty() ? 0.0 : *std::ranges::max_element(omega);
+  std::map<int, double> limits;  // by octave below the fastest
+  std::vector<double> steps;
+  for (const double w : omega) {
+    if (w == 0) {
+      steps.push_back(std::numeric_limits<double>::infinity());
+      continue;
+    }
+    const int octave = damping > 0 ? static_cast<int>(std::floor(std::log2(fastest / w))) : 0;
+    const double upper =
+        damping > 0 ? std::ldexp(fastest, -octave) : w;  // without damping every w has the same limit
+    auto [known, is_new] = limits.try_emplace(octave, 0.0);
+    if (is_new) {
+      known->second = courant_limit(law, velocity, upper, damping);
+      require_courant(safety, known->second);
+    }
+    steps.push_back(safety * known->second / upper);
+  }
+  return steps;
+}
+
+void require_courant(double safety, double limit) {
   if (!(safety > 0.0 && safety <= 1.0))
     throw std::invalid_argument("courant must be in (0, 1], got " + std::to_string(safety));
   if (!(limit > 0.0))
@@ -64,6 +95,12 @@ Courant::Courant(std::unique_ptr<Control> inner, double safety, double limit, do
         "7, 8, 11, 12, ... or, for a random degree, a min_degree of at least half of such a max_degree, and "
         "velocities of "
         "their own series");
+}
+
+Courant::Courant(std::unique_ptr<Control> inner, double safety, double limit, double omega)
+    : inner_(std::move(inner)),
+      largest_step_(omega > 0 ? safety * limit / omega : std::numeric_limits<double>::infinity()) {
+  require_courant(safety, limit);
 }
 
 }  // namespace jetlag

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // "schedule": {"type": "block" | "asynchronous", ...}: a clock for each particle.
+#include "jetlag/control/courant.hpp"
 #include "jetlag/control/last_two.hpp"
 #include "jetlag/scenes/error.hpp"
 #include "jetlag/schedule/asynchronous.hpp"
@@ -44,16 +45,17 @@ Degrees read_degrees(const Value& integrator) {
 }
 
 /// The longest step and the tolerance may stand in a control, as they would for one clock.
-void read_steps(const Value& scene, const Value& schedule, ClockOptions& options) {
+void read_steps(const Value& scene, const Value& schedule, const System<double>& system,
+                const TruncationLaw& law, ClockOptions& options) {
   double tolerance = default_tolerance;
   if (const auto control = scene.find("control")) {
     if (!control->is_object()) control->refuse("an object with a type");
     const std::string type = control->at("type").text();
     if (type == "fixed") {
-      control->only({"type", "step"});
+      control->only({"type", "step", "courant"});
       options.max_step = control->at("step").number(positive);
     } else if (type == "last_two") {
-      control->only({"type", "tolerance", "max_step"});
+      control->only({"type", "tolerance", "max_step", "courant"});
       tolerance = control->at("tolerance").number(positive);
       if (const auto most = control->find("max_step")) options.max_step = most->number(positive);
     } else {
@@ -63,6 +65,14 @@ void read_steps(const Value& scene, const Value& schedule, ClockOptions& options
           "own: steps follow from schedule.tolerance");
     }
   }
+  if (const auto control = scene.find("control"))
+    if (const auto courant = control->find("courant")) {
+      const double safety = courant->number({0, 1, false, true, "a number > 0 and <= 1"});
+      if (frequency_bound(system) == 0)
+        courant->refuse("left out: no force of this scene has a stiffness that limits the step");
+      checked(*courant, [&] { return courant_steps_of_particles(system, law, options.velocity, safety); });
+      options.courant = safety;
+    }
   if (const auto most = schedule.find("max_step")) options.max_step = most->number(positive);
   options.tolerance = schedule.at("tolerance", tolerance).number(positive);
 }
@@ -94,11 +104,11 @@ Method read_clocks(const Value& scene, const Value& schedule, std::shared_ptr<co
   const Degrees degrees = read_degrees(integrator);
 
   ClockOptions common;
-  read_steps(scene, schedule, common);
   common.velocity =
       integrator.at("velocity", "own_series").one_of({"own_series", "derivative"}) == "own_series"
           ? VelocitySeries::own_series
           : VelocitySeries::derivative;
+  read_steps(scene, schedule, *system, degrees.law, common);
   common.shared_draw = degrees.shared_draw;
   common.draws = degrees.draws;
   common.seed = seed;

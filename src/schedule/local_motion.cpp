@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "jetlag/control/courant.hpp"
 #include "jetlag/series/polynomial.hpp"
 #include "jetlag/truncation/draws.hpp"
 
@@ -29,6 +30,11 @@ LocalMotion::LocalMotion(const System<double>& system, TruncationLaw law, const 
   if (law_.is_fixed()) options_.shared_draw = true;
   for (int i = 0; i < system.particles(); ++i)
     if (!system.fixed()[i]) moving_.push_back(i);
+  longest_.assign(system.particles(), options_.max_step);
+  if (options_.courant != 0) {
+    const auto stable = courant_steps_of_particles(system, law_, options_.velocity, options_.courant);
+    for (std::size_t i = 0; i < stable.size(); ++i) longest_[i] = std::min(longest_[i], stable[i]);
+  }
   for (int n = 0; n <= law_.max_degree(); ++n) weights_.push_back(law_.weight(n));
   weights_.push_back(law_.is_fixed() ? 1.0 : 0.0);
 }
@@ -162,7 +168,7 @@ double LocalMotion::step_of(int particle) const {
     return most;
   };
   return std::min(
-      options_.max_step,
+      longest_[particle],
       last_two_step({degree, {size(2), size(3)}, {size(degree - 1), size(degree)}}, options_.tolerance));
 }
 

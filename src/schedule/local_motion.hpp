@@ -86,6 +86,7 @@ class LocalMotion {
   std::shared_ptr<const Neighbourhoods> graph_;
   Expansion<double> all_;
   std::vector<int> moving_, places_;
+  std::vector<double> longest_;  // step of each particle [s]
   std::vector<double> weights_;  // of the terms of the law, then one for the term after them
   Ticks ticks_;
   AlignedVector<double> series_;  // [particle][order][padded component]

@@ -13,6 +13,10 @@ namespace jetlag {
 /// Fixed particles count as infinitely heavy. 0 when no law of the system has a stiffness.
 double frequency_bound(const System<double>& system);
 
+/// The same for each particle, over the elements that it takes part in: how fast its neighbourhood may oscillate [rad/s].
+/// Shape (particles).
+std::vector<double> frequency_bounds(const System<double>& system);
+
 /// The rate c / m [1/s] at which drag slows every particle that is not fixed, if it is the same for all of them: then each
 /// oscillation is q'' = -omega^2 q - (c/m) q'. Otherwise 0, on the safe side.
 double common_damping(const System<double>& system);
@@ -20,6 +24,15 @@ double common_damping(const System<double>& system);
 /// The Courant limit omega h [1]: how long a step may be for all oscillations of frequencies up to omega [rad/s] and of
 /// this damping [1/s] to be stable in mean square. 0 where there is none, as for degree 6 without damping.
 double courant_limit(const TruncationLaw& law, VelocitySeries velocity, double omega, double damping);
+
+/// Throws std::invalid_argument unless safety is in (0, 1] and limit > 0.
+void require_courant(double safety, double limit);
+
+/// safety * limit / omega for each particle by its own bound of the frequency, infinity where it has none [s]: for clocks of
+/// their own. It presumes that a neighbourhood oscillates as if all of it took such steps. Shape (particles).
+/// Throws std::invalid_argument as require_courant.
+std::vector<double> courant_steps_of_particles(const System<double>& system, const TruncationLaw& law,
+                                               VelocitySeries velocity, double safety);
 
 /// Another control, cropped at  safety * limit / omega.
 class Courant final : public Control {

@@ -15,6 +15,8 @@ namespace jetlag {
 struct ClockOptions {
   double tolerance = 1e-9;  // [m] > 0: of a step, as in control/last_two.hpp
   double max_step = std::numeric_limits<double>::infinity();  // [s] > 0
+  double courant =
+      0;  // in (0, 1]: a fraction of the Courant limit of each particle that its steps do not exceed; 0: none
   VelocitySeries velocity = VelocitySeries::own_series;
 
   /// Random degrees: one draw for all particles that are updated together, or one for each.
