@@ -12,6 +12,8 @@
 #include "jetlag/integrators/dopri5.hpp"
 #include "jetlag/integrators/ensemble.hpp"
 #include "jetlag/integrators/first_order_taylor.hpp"
+#include "jetlag/integrators/gauss_radau.hpp"
+#include "jetlag/integrators/hermite.hpp"
 #include "jetlag/integrators/leapfrog.hpp"
 #include "jetlag/integrators/random_ensemble.hpp"
 #include "jetlag/integrators/rk4.hpp"

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "jetlag/integrators/one_step.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace jetlag {
 
 OneStep::OneStep(const System<double>& system, int order)
@@ -29,6 +33,18 @@ double OneStep::step(State<double>& state, double limit, Report& report) {
   work_.element_coefficients = accelerations_.element_coefficients();
   work_.degrees += static_cast<std::uint64_t>(order_) * moving_;
   return h;
+}
+
+double largest(const Coordinates<double>& rows) {
+  return rows.size() == 0 ? 0.0 : rows.cwiseAbs().maxCoeff();
+}
+
+double first_length(const State<double>& from, const Coordinates<double>& acceleration) {
+  const auto time = [](double y, double rate) {
+    return y > 0 && rate > 0 ? y / rate : std::numeric_limits<double>::infinity();
+  };
+  const double x = largest(from.position), v = largest(from.velocity), a = largest(acceleration);
+  return 0.01 * std::min({time(x, v), time(v, a), std::sqrt(time(x, a))});
 }
 
 /// With m conditions on the left, p = sum_{k<m} L_k s^k + s^m q, and q is found from its Taylor coefficients at h, those

@@ -11,8 +11,6 @@ namespace jetlag {
 
 namespace {
 
-double size(const Coordinates<double>& rows) { return rows.size() == 0 ? 0.0 : rows.cwiseAbs().maxCoeff(); }
-
 /// sum_i w_i k_i
 Coordinates<double> weighted(const std::vector<double>& w, const std::vector<Coordinates<double>>& k) {
   Coordinates<double> sum = Coordinates<double>::Zero(k[0].rows(), k[0].cols());
@@ -81,22 +79,14 @@ bool RungeKutta::attempt(const State<double>& from, double h, int first, State<d
 double RungeKutta::error_ratio(const State<double>& from, double h, const State<double>& to) const {
   // Of two estimates e5 and e3 of different orders:  e5 e5 / sqrt(e5^2 + e3^2 / 100).
   const auto error = [&](const std::vector<Coordinates<double>>& k) {
-    const double e = size(weighted(table_.error, k));
+    const double e = largest(weighted(table_.error, k));
     if (table_.second_error.empty() || e == 0) return h * e;
-    return h * e * (e / std::hypot(e, 0.1 * size(weighted(table_.second_error, k))));
+    return h * e * (e / std::hypot(e, 0.1 * largest(weighted(table_.second_error, k))));
   };
   const auto ratio = [](double e, double scale) { return e == 0 ? 0.0 : e / scale; };
-  const double x = std::max({size(from.position), size(to.position), h * size(from.velocity)}),
-               v = std::max({size(from.velocity), size(to.velocity), h * size(a_[0])});
+  const double x = std::max({largest(from.position), largest(to.position), h * largest(from.velocity)}),
+               v = std::max({largest(from.velocity), largest(to.velocity), h * largest(a_[0])});
   return std::max(ratio(error(v_), x), ratio(error(a_), v)) / control_->tolerance;
-}
-
-double RungeKutta::first_length(const State<double>& from) const {
-  const auto time = [](double y, double rate) {
-    return y > 0 && rate > 0 ? y / rate : std::numeric_limits<double>::infinity();
-  };
-  const double x = size(from.position), v = size(from.velocity), a = size(a_[0]);
-  return 0.01 * std::min({time(x, v), time(v, a), std::sqrt(time(x, a))});
 }
 
 double RungeKutta::advance(const State<double>& from, double limit, State<double>& to, Report& report) {
@@ -106,7 +96,7 @@ double RungeKutta::advance(const State<double>& from, double limit, State<double
   }
   if (!accelerations_(from, a_[0], report)) return 0.0;
   v_[0] = from.velocity;
-  if (step_ == 0) step_ = first_length(from);
+  if (step_ == 0) step_ = first_length(from, a_[0]);
   double proposal = std::min(step_, control_->max_step);
   for (bool rejected = false;; rejected = true) {
     const double h = cropped(proposal, limit);

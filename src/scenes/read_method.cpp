@@ -9,6 +9,8 @@
 #include "jetlag/control/variance_target.hpp"
 #include "jetlag/integrators/dop853.hpp"
 #include "jetlag/integrators/dopri5.hpp"
+#include "jetlag/integrators/gauss_radau.hpp"
+#include "jetlag/integrators/hermite.hpp"
 #include "jetlag/integrators/leapfrog.hpp"
 #include "jetlag/integrators/rk4.hpp"
 #include "jetlag/integrators/symplectic_euler.hpp"
@@ -247,6 +249,43 @@ IntegratorFactory read_embedded(const MethodArguments& arguments) {
   });
 }
 
+/// "fixed", or "embedded": by the last coefficient of its polynomial, to a tolerance of 1e-9 of the accelerations.
+IntegratorFactory read_gauss_radau(const MethodArguments& arguments) {
+  const Value& control = arguments.control;
+  arguments.integrator.only({"type"});
+  GaussRadau::Options options;
+  if (control.at("type").one_of({"fixed", "embedded"}) == "fixed") {
+    options.step = read_step_without_courant(arguments);
+  } else {
+    require_one_thread(arguments);
+    control.only({"type", "tolerance", "max_step"});
+    options.tolerance = control.at("tolerance", options.tolerance).number(positive);
+    options.max_step = read_max_step(control);
+  }
+  return one_step_method(arguments, 15.0, [system = arguments.system, options] {
+    return std::make_unique<GaussRadau>(*system, options);
+  });
+}
+
+/// "fixed", or "aarseth".
+IntegratorFactory read_hermite(const MethodArguments& arguments) {
+  const Value &control = arguments.control, &integrator = arguments.integrator;
+  integrator.only({"type", "iterations"});
+  Hermite::Options options;
+  options.iterations = static_cast<int>(integrator.at("iterations", options.iterations).integer(1, 20));
+  if (control.at("type").one_of({"fixed", "aarseth"}) == "fixed") {
+    options.step = read_step_without_courant(arguments);
+  } else {
+    require_one_thread(arguments);
+    control.only({"type", "accuracy", "max_step"});
+    options.accuracy = control.at("accuracy", options.accuracy).number(positive);
+    options.max_step = read_max_step(control);
+  }
+  return one_step_method(arguments, 2.0 * (options.iterations + 1), [system = arguments.system, options] {
+    return std::make_unique<Hermite>(*system, options);
+  });
+}
+
 struct IntegratorReader {
   const char* type;
   IntegratorFactory (*read)(const MethodArguments&);
@@ -258,7 +297,9 @@ constexpr IntegratorReader integrators[] = {{"taylor", read_taylor},
                                             {"euler", read_runge_kutta<euler>},
                                             {"rk4", read_runge_kutta<rk4>},
                                             {"dopri5", read_embedded<dopri5>},
-                                            {"dop853", read_embedded<dop853>}};
+                                            {"dop853", read_embedded<dop853>},
+                                            {"gauss_radau", read_gauss_radau},
+                                            {"hermite", read_hermite}};
 
 }  // namespace
 

@@ -39,6 +39,13 @@ class OneStep : public Integrator {
   double length_ = 0;
 };
 
+/// The largest absolute component.
+double largest(const Coordinates<double>& rows);
+
+/// A length to begin with where an estimate of the error will choose: 1/100 of the least of |x| / |v|, |v| / |a| and
+/// sqrt(|x| / |a|), in largest components; infinite where nothing moves.
+double first_length(const State<double>& from, const Coordinates<double>& acceleration);
+
 /// The polynomial in s = t - begin with the given values and derivatives [m/s^k] at both ends, and its derivative as the
 /// velocity. left: x, x', x'' .. at s = 0; right: the same at s = h. With n of them together the error of the position
 /// is O(h^n), of the velocity O(h^(n-1)).   Source: Hermite's interpolation.

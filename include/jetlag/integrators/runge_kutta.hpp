@@ -38,8 +38,7 @@ class RungeKutta final : public OneStep {
   /// Steps by the estimated error e: a step is taken where
   ///     E = max(|e_x| / max(|x_0|, |x_1|, |h v_0|), |e_v| / max(|v_0|, |v_1|, |h a_0|)) / tolerance <= 1
   /// in largest components over all particles, and otherwise tried again and counted in Work::rejected; the next
-  /// length is h clamp(0.9 E^(-1/q), 1/5, 6), q the order of the estimate. The first is h = max_step or what is left of
-  /// the run, at most 1/100 of min(|x| / |v|, |v| / |a|).   Source: [HNW93] II.4, with norms in place of components.
+  /// length is h clamp(0.9 E^(-1/q), 1/5, 6), q the order of the estimate. The first is first_length().   Source: [HNW93] II.4, with norms in place of components.
   /// Throws std::invalid_argument for a table without an estimate.
   RungeKutta(const System<double>& system, const RungeKuttaTable& table, const EmbeddedControl& control);
 
@@ -52,7 +51,6 @@ class RungeKutta final : public OneStep {
   double advance(const State<double>& from, double limit, State<double>& to, Report& report) override;
   bool attempt(const State<double>& from, double h, int first, State<double>& to, Report& report);
   double error_ratio(const State<double>& from, double h, const State<double>& to) const;
-  double first_length(const State<double>& from) const;
 
   RungeKuttaTable table_;
   std::vector<double> c_;
