@@ -10,6 +10,7 @@ const char* to_string(Outcome outcome) {
     case Outcome::non_finite: return "non_finite";
     case Outcome::step_limit: return "step_limit";
     case Outcome::interrupted: return "interrupted";
+    case Outcome::not_converged: return "not_converged";
     case Outcome::event: return "event";
   }
   return "unknown";

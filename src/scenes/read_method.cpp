@@ -8,7 +8,13 @@
 #include "jetlag/control/jorba_zou.hpp"
 #include "jetlag/control/last_two.hpp"
 #include "jetlag/control/variance_target.hpp"
+#include "jetlag/integrators/dop853.hpp"
+#include "jetlag/integrators/dopri5.hpp"
+#include "jetlag/integrators/gauss_radau.hpp"
+#include "jetlag/integrators/hermite.hpp"
 #include "jetlag/integrators/leapfrog.hpp"
+#include "jetlag/integrators/rk4.hpp"
+#include "jetlag/integrators/symplectic_euler.hpp"
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/scenes/error.hpp"
 #include "jetlag/schedule/lockstep.hpp"
@@ -186,19 +192,111 @@ IntegratorFactory read_random_taylor(const MethodArguments& arguments) {
   return series_method(arguments, law, shared_draw, draws);
 }
 
-IntegratorFactory read_leapfrog(const MethodArguments& arguments) {
-  const Value& control = arguments.control;
-  arguments.integrator.only({"type"});
+/// What methods that are not threaded ask of the schedule.
+void require_one_thread(const MethodArguments& arguments) {
   if (arguments.threads > 1)
-    throw SceneError("schedule.threads: got " + std::to_string(arguments.threads) +
-                     "; must be 1 for leapfrog");
+    throw SceneError("schedule.threads: got " + std::to_string(arguments.threads) + "; must be 1 for " +
+                     arguments.integrator.at("type").text());
+}
+
+/// The step of a method that works with steps of one length only.
+double read_step(const MethodArguments& arguments) {
+  const Value& control = arguments.control;
+  require_one_thread(arguments);
   if (chosen(control, controls).read != read_fixed)
-    control.at("type").refuse("fixed, which is what leapfrog works with");
-  control.only({"type", "step", "courant"});
-  double step = control.at("step").number(positive);
-  if (const auto courant = read_courant(control, *arguments.system))
+    control.at("type").refuse("fixed, which is what " + arguments.integrator.at("type").text() +
+                              " works with");
+  return control.only({"type", "step", "courant"}).at("step").number(positive);
+}
+
+/// As above, for methods whose stability limit is not known here.
+double read_step_without_courant(const MethodArguments& arguments) {
+  const double step = read_step(arguments);
+  arguments.control.only({"type", "step"});
+  return step;
+}
+
+/// Makes a method once, so that what it refuses is said of the scene.
+template <class Make>
+IntegratorFactory one_step_method(const MethodArguments& arguments, double evaluations, Make make) {
+  checked(arguments.integrator.at("type"), make);
+  return {make, evaluations, 2};
+}
+
+IntegratorFactory read_leapfrog(const MethodArguments& arguments) {
+  arguments.integrator.only({"type"});
+  double step = read_step(arguments);
+  if (const auto courant = read_courant(arguments.control, *arguments.system))
     step = std::min(step, courant->first * 2.0 / courant->second);
   return {[system = arguments.system, step] { return std::make_unique<Leapfrog>(*system, step); }, 1.0, 2};
+}
+
+IntegratorFactory read_symplectic_euler(const MethodArguments& arguments) {
+  arguments.integrator.only({"type"});
+  const double step = read_step_without_courant(arguments);
+  return one_step_method(arguments, 1.0, [system = arguments.system, step] {
+    return std::make_unique<SymplecticEuler>(*system, step);
+  });
+}
+
+template <const RungeKuttaTable& table()>
+IntegratorFactory read_runge_kutta(const MethodArguments& arguments) {
+  arguments.integrator.only({"type"});
+  const double step = read_step_without_courant(arguments);
+  return one_step_method(arguments, table().stages(), [system = arguments.system, step] {
+    return std::make_unique<RungeKutta>(*system, table(), step);
+  });
+}
+
+/// "control" of a method that estimates its own error: "fixed", or "embedded" with a tolerance.
+template <const RungeKuttaTable& table()>
+IntegratorFactory read_embedded(const MethodArguments& arguments) {
+  const Value& control = arguments.control;
+  if (control.at("type").one_of({"fixed", "embedded"}) == "fixed") return read_runge_kutta<table>(arguments);
+  arguments.integrator.only({"type"});
+  require_one_thread(arguments);
+  control.only({"type", "tolerance", "max_step"});
+  const EmbeddedControl embedded{control.at("tolerance").number(positive), read_max_step(control)};
+  return one_step_method(arguments, table().stages(), [system = arguments.system, embedded] {
+    return std::make_unique<RungeKutta>(*system, table(), embedded);
+  });
+}
+
+/// "fixed", or "embedded": by the last coefficient of its polynomial, to a tolerance of 1e-9 of the accelerations.
+IntegratorFactory read_gauss_radau(const MethodArguments& arguments) {
+  const Value& control = arguments.control;
+  arguments.integrator.only({"type"});
+  GaussRadau::Options options;
+  if (control.at("type").one_of({"fixed", "embedded"}) == "fixed") {
+    options.step = read_step_without_courant(arguments);
+  } else {
+    require_one_thread(arguments);
+    control.only({"type", "tolerance", "max_step"});
+    options.tolerance = control.at("tolerance", options.tolerance).number(positive);
+    options.max_step = read_max_step(control);
+  }
+  return one_step_method(arguments, 15.0, [system = arguments.system, options] {
+    return std::make_unique<GaussRadau>(*system, options);
+  });
+}
+
+/// "fixed", or "aarseth".
+IntegratorFactory read_hermite(const MethodArguments& arguments) {
+  const Value &control = arguments.control, &integrator = arguments.integrator;
+  integrator.only({"type", "iterations"});
+  Hermite::Options options;
+  options.iterations = static_cast<int>(integrator.at("iterations", options.iterations).integer(1, 20));
+  if (control.at("type").one_of({"fixed", "aarseth"}) == "fixed") {
+    options.step = read_step_without_courant(arguments);
+  } else {
+    require_one_thread(arguments);
+    control.only({"type", "accuracy", "max_step"});
+    options.accuracy = control.at("accuracy", options.accuracy).number(positive);
+    options.max_step = read_max_step(control);
+  }
+  return one_step_method(arguments, 2.0 * (options.iterations + 1), [system = arguments.system, options] {
+    return std::make_unique<Hermite>(*system, options);
+  });
 }
 
 struct IntegratorReader {
@@ -208,7 +306,14 @@ struct IntegratorReader {
 constexpr IntegratorReader integrators[] = {{"taylor", read_taylor},
                                             {"random_taylor", read_random_taylor},
                                             {"leapfrog", read_leapfrog},
-                                            {"avi", nullptr}};  // brings its own schedule: read_avi
+                                            {"avi", nullptr},  // brings its own schedule: read_avi
+                                            {"symplectic_euler", read_symplectic_euler},
+                                            {"euler", read_runge_kutta<euler>},
+                                            {"rk4", read_runge_kutta<rk4>},
+                                            {"dopri5", read_embedded<dopri5>},
+                                            {"dop853", read_embedded<dop853>},
+                                            {"gauss_radau", read_gauss_radau},
+                                            {"hermite", read_hermite}};
 
 }  // namespace
 

@@ -12,6 +12,7 @@ enum class Outcome {
   non_finite,      // a coefficient or the new state is infinite or NaN
   step_limit,      // the caller's largest number of steps is used up
   interrupted,     // the caller asked to stop
+  not_converged,   // the equations of an implicit step are not solved
   event,           // a terminal event has ended the run
 };
 
