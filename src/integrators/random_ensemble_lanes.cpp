@@ -18,6 +18,12 @@ namespace {
 /// and 3.4 in lanes, 3.1 and 3.1 one by one; one of 560 elements 19 and 30 in lanes, 14 and 15 one by one.
 constexpr std::size_t most_elements = 100;
 
+/// The power of two next to a step, as unit of time: coefficient n of the series is then of the size of the term, x_n h^n, and
+/// neither over- nor underflows where the sum does not, however fast or slow the motion. Its square is a double.
+double unit_for(double step) {
+  return std::ldexp(1.0, std::clamp(static_cast<int>(std::lround(std::log2(step))), -500, 500));
+}
+
 class InLanes final : public RandomEnsemble::Members {
  public:
   InLanes(const System<double>& system, const SeriesMethod& method, const std::vector<State<double>>& states,
@@ -63,8 +69,8 @@ class InLanes final : public RandomEnsemble::Members {
 
   int draw(std::size_t first, const std::vector<char>& moves, std::uint64_t update, Workspace& work) const;
   void grow(const AlignedVector<double>& position, const AlignedVector<double>& velocity, double time,
-            int top, Workspace& work) const;
-  void sum(int top, double h, Workspace& work) const;
+            int top, double unit, Workspace& work) const;
+  void sum(int top, double h, double unit, Workspace& work) const;
   void look(std::size_t first, double time, Block& block, Workspace& work) const;
   int order_needed(int top) const { return options_.velocity == VelocitySeries::own_series ? top + 1 : top; }
 
@@ -153,21 +159,22 @@ int InLanes::draw(std::size_t first, const std::vector<char>& moves, std::uint64
   return top;
 }
 
-/// The series from a state, for degrees up to `top`.
+/// The series from a state, for degrees up to `top`; coefficient n comes times unit^n.
 void InLanes::grow(const AlignedVector<double>& position, const AlignedVector<double>& velocity, double time,
-                   int top, Workspace& work) const {
+                   int top, double unit, Workspace& work) const {
   for (int c = 0; c < system_.components; ++c) {
     double* x = work.series.at(0, system_.series[c], 0);
     std::copy_n(position.data() + c * lanes_, lanes_, x);
-    std::copy_n(velocity.data() + c * lanes_, lanes_, x + lanes_);
+    of_->scale(lanes_, unit, velocity.data() + c * lanes_, x + lanes_);
   }
   std::ranges::fill(work.time, time);
-  system_.grow(work.series, *of_, work.time.data(), order_needed(top));
+  system_.grow(work.series, *of_, work.time.data(), order_needed(top), unit);
 }
 
-/// Positions and velocities after h.
-void InLanes::sum(int top, double h, Workspace& work) const {
+/// Positions and velocities after h; sums over powers of h / unit.
+void InLanes::sum(int top, double h, double unit, Workspace& work) const {
   const bool derivative = options_.velocity == VelocitySeries::derivative;
+  const double s = h / unit;
   double* position = work.next.data();
   double* velocity = position + static_cast<std::size_t>(system_.components) * lanes_;
   for (int c = 0; c < system_.components; ++c, position += lanes_, velocity += lanes_) {
@@ -175,10 +182,11 @@ void InLanes::sum(int top, double h, Workspace& work) const {
     const int draw = options_.shared_draw ? 0 : c / system_.dimension;
     const double* weights = work.weights.data() + static_cast<std::size_t>(draw) * terms_ * lanes_;
     const double* x = work.series.at(0, system_.series[c], 0);
-    of_->weighted(lanes_, false, top, x, weights, h, position);
+    of_->weighted(lanes_, false, top, x, weights, s, position);
     // With `derivative`, coefficient n of the velocity carries the weight of coefficient n + 1 of the position.
-    of_->weighted(lanes_, true, derivative ? top - 1 : top, x, derivative ? weights + lanes_ : weights, h,
+    of_->weighted(lanes_, true, derivative ? top - 1 : top, x, derivative ? weights + lanes_ : weights, s,
                   velocity);
+    of_->multiply(lanes_, 1 / unit, velocity);
     for (const double* next : {position, velocity})
       of_->largest(lanes_, next, work.largest.data(), work.not_finite.data());
   }
@@ -210,9 +218,10 @@ void InLanes::advance(std::size_t number, double until, const std::function<bool
     }
     const int top = draw(first, moves, block.update, *work);
     const int order = order_needed(top);
-    grow(block.position, block.velocity, block.time, top, *work);
+    const double unit = unit_for(h);
+    grow(block.position, block.velocity, block.time, top, unit, *work);
     std::ranges::fill(work->not_finite, 0.0);
-    sum(top, h, *work);
+    sum(top, h, unit, *work);
 
     const double* next_position = work->next.data();
     const double* next_velocity = next_position + static_cast<std::size_t>(system_.components) * lanes_;
@@ -263,8 +272,9 @@ void InLanes::look(std::size_t first, double time, Block& block, Workspace& work
   for (int i = 0; i < lanes_ && first + i < reports.size(); ++i)
     moves[i] = reports[first + i].outcome == Outcome::success;
   const int top = draw(first, moves, block.update - 1, work);
-  grow(block.begin_position, block.begin_velocity, block.begin, top, work);
-  sum(top, time - block.begin, work);
+  const double unit = unit_for(block.time - block.begin);
+  grow(block.begin_position, block.begin_velocity, block.begin, top, unit, work);
+  sum(top, time - block.begin, unit, work);
   const double* position = work.next.data();
   const double* velocity = position + block.position.size();
   for (int c = 0; c < system_.components; ++c) {
