@@ -26,8 +26,8 @@ double unit_for(double step) {
 
 class InLanes final : public RandomEnsemble::Members {
  public:
-  InLanes(const System<double>& system, const SeriesMethod& method, const std::vector<State<double>>& states,
-          const RandomEnsemble::Options& options);
+  InLanes(const System<double>& system, const SeriesMethod& method, std::size_t count,
+          const RandomEnsemble::Start& start, const RandomEnsemble::Options& options);
 
   bool in_lanes() const override { return true; }
   std::size_t tasks() const override { return blocks_.size(); }
@@ -38,12 +38,18 @@ class InLanes final : public RandomEnsemble::Members {
     for (const Block& block : blocks_) add(block.work, all);
     return all;
   }
+  std::uint64_t orders() const override {
+    std::uint64_t all = 0;
+    for (const Block& block : blocks_) all += block.orders;
+    return all;
+  }
 
  private:
   struct alignas(64) Block {
     double time = 0;
     std::uint64_t update = 0;
     Work work;
+    std::uint64_t orders = 0;                              // that its members would compute one by one
     AlignedVector<double> position, velocity;              // [component][lane]
     double begin = 0;                                      // of the last step
     AlignedVector<double> begin_position, begin_velocity;  // there
@@ -58,13 +64,15 @@ class InLanes final : public RandomEnsemble::Members {
           time(of.lanes_),
           not_finite(of.lanes_),
           largest(of.lanes_),
-          degrees(of.lanes_) {
+          degrees(of.lanes_),
+          tops(of.lanes_) {
       series.reserve(of.law_.max_degree() + 2);
     }
     Blocks<double> series;
     AlignedVector<double> weights;  // [draw][term][lane]
     AlignedVector<double> next, time, not_finite, largest;
     std::vector<std::uint64_t> degrees;  // sum over the moving particles
+    std::vector<int> tops;               // the largest of them
   };
 
   int draw(std::size_t first, const std::vector<char>& moves, std::uint64_t update, Workspace& work) const;
@@ -72,7 +80,9 @@ class InLanes final : public RandomEnsemble::Members {
             int top, double unit, Workspace& work) const;
   void sum(int top, double h, double unit, Workspace& work) const;
   void look(std::size_t first, double time, Block& block, Workspace& work) const;
-  int order_needed(int top) const { return options_.velocity == VelocitySeries::own_series ? top + 1 : top; }
+  int order_needed(int top) const {
+    return options_.velocity == VelocitySeries::own_series ? top + 1 : std::max(top, 1);
+  }
 
   SystemLanes system_;
   TruncationLaw law_;
@@ -90,9 +100,9 @@ class InLanes final : public RandomEnsemble::Members {
   Pool<Workspace> pool_;
 };
 
-InLanes::InLanes(const System<double>& system, const SeriesMethod& method,
-                 const std::vector<State<double>>& states, const RandomEnsemble::Options& options)
-    : Members(states.size()),
+InLanes::InLanes(const System<double>& system, const SeriesMethod& method, std::size_t count,
+                 const RandomEnsemble::Start& start, const RandomEnsemble::Options& options)
+    : Members(count),
       system_(system),
       law_(known_beforehand(method.law)),
       options_(method.options),
@@ -109,18 +119,20 @@ InLanes::InLanes(const System<double>& system, const SeriesMethod& method,
     options_.draws = Draw::independent;
   }
   draws_ = options_.shared_draw ? 1 : system_.particles;
-  for (std::size_t i = 0; i < states.size(); ++i)
+  draws_of_.reserve(count);
+  for (std::size_t i = 0; i < count; ++i)
     draws_of_.emplace_back(options_.draws, &law_, member_seed(options_.seed, i),
                            static_cast<std::uint32_t>(draws_));
-  stopped_.resize(states.size());
-  blocks_.resize((states.size() + lanes_ - 1) / lanes_);
+  stopped_.resize(count);
+  blocks_.resize((count + lanes_ - 1) / lanes_);
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     Block& block = blocks_[b];
-    block.time = block.begin = block.seen = states[0].time;
     block.position.resize(static_cast<std::size_t>(system_.components) * lanes_);
     block.velocity.resize(block.position.size());
+    State<double> state;
     for (int lane = 0; lane < lanes_; ++lane) {  // lanes beyond the last member repeat it
-      const State<double>& state = states[std::min(b * lanes_ + lane, states.size() - 1)];
+      if (b * lanes_ + lane < count) state = start(b * lanes_ + lane);
+      block.time = block.begin = block.seen = state.time;
       for (int c = 0; c < system_.components; ++c) {
         block.position[c * lanes_ + lane] = state.position.data()[c];
         block.velocity[c * lanes_ + lane] = state.velocity.data()[c];
@@ -135,7 +147,7 @@ InLanes::InLanes(const System<double>& system, const SeriesMethod& method,
 /// the members that move.
 int InLanes::draw(std::size_t first, const std::vector<char>& moves, std::uint64_t update,
                   Workspace& work) const {
-  int top = law_.min_degree();
+  std::ranges::fill(work.tops, law_.min_degree());
   std::ranges::fill(work.degrees, 0);
   for (int d = 0; d < draws_; ++d) {
     const bool fixed = !options_.shared_draw && system_.inverse_mass[d * system_.dimension] == 0.0;
@@ -149,14 +161,14 @@ int InLanes::draw(std::size_t first, const std::vector<char>& moves, std::uint64
       else if (moves[lane])
         degree = draws_of_[first + lane].degree(law_, particle, update);
       if (moves[lane]) {
-        top = std::max(top, degree);
+        work.tops[lane] = std::max(work.tops[lane], degree);
         work.degrees[lane] += options_.shared_draw ? static_cast<std::uint64_t>(degree) * moving_ : degree;
       }
       for (int n = 0; n <= law_.max_degree(); ++n)
         weights[n * lanes_ + lane] = n <= degree ? law_.weight(n, degree) : 0.0;
     }
   }
-  return top;
+  return *std::ranges::max_element(work.tops);
 }
 
 /// The series from a state, for degrees up to `top`; coefficient n comes times unit^n.
@@ -256,7 +268,10 @@ void InLanes::advance(std::size_t number, double until, const std::function<bool
     block.work.coefficients += static_cast<std::uint64_t>(moving) * moving_ * (order - 1);
     block.work.element_coefficients += static_cast<std::uint64_t>(moving) * system_.elements * (order - 1);
     for (int i = 0; i < active; ++i)
-      if (moves[i]) block.work.degrees += work->degrees[i];
+      if (moves[i]) {
+        block.work.degrees += work->degrees[i];
+        block.orders += order_needed(work->tops[i]) - 1;
+      }
   }
   if (block.time >= until) look(first, until, block, *work);
   pool_.give_back(std::move(work));
@@ -307,10 +322,10 @@ bool fits_lanes(const System<double>& system) {
 }
 
 std::unique_ptr<RandomEnsemble::Members> members_in_lanes(const System<double>& system,
-                                                          const SeriesMethod& method,
-                                                          const std::vector<State<double>>& states,
+                                                          const SeriesMethod& method, std::size_t count,
+                                                          const RandomEnsemble::Start& start,
                                                           const RandomEnsemble::Options& options) {
-  return std::make_unique<InLanes>(system, method, states, options);
+  return std::make_unique<InLanes>(system, method, count, start, options);
 }
 
 }  // namespace jetlag
