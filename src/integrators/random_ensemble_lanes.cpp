@@ -18,8 +18,9 @@ namespace {
 /// and 3.4 in lanes, 3.1 and 3.1 one by one; one of 560 elements 19 and 30 in lanes, 14 and 15 one by one.
 constexpr std::size_t most_elements = 100;
 
-/// The power of two next to a step, as unit of time: coefficient n of the series is then of the size of the term, x_n h^n, and
-/// neither over- nor underflows where the sum does not, however fast or slow the motion. Its square is a double.
+/// The power of two next to a step, as unit of time: coefficient n of the series is then of the size of the term, x_n
+/// h^n, and neither over- nor underflows where the sum does not, however fast or slow the motion. Its square is a
+/// double.
 double unit_for(double step) {
   return std::ldexp(1.0, std::clamp(static_cast<int>(std::lround(std::log2(step))), -500, 500));
 }

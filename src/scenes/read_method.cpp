@@ -130,8 +130,8 @@ struct MethodArguments {
 
 /// P(the largest of the degrees that a step draws >= n). Draws of different particles are independent,
 ///     1 - (1 - P)^M,      P = P(K >= n), M = moving particles,
-/// but of `stratified` ones, one from each of N intervals of (0, 1], the first floor(N P) surely go that far and the next
-/// one with the probability N P - floor(N P). Which M of the N are those of moving particles is random.
+/// but of `stratified` ones, one from each of N intervals of (0, 1], the first floor(N P) surely go that far and the
+/// next one with the probability N P - floor(N P). Which M of the N are those of moving particles is random.
 double largest_at_least(const TruncationLaw& law, const RandomTaylor::Options& options,
                         const System<double>& system, int n) {
   const double p = law.at_least(n);

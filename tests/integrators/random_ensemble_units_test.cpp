@@ -25,7 +25,8 @@ struct Breathing {
   }
 };
 
-/// Masses [kg], angular frequencies [rad/s] and lengths [m]: a slow one, an ordinary one, a molecule (500 N/m), a fast one.
+/// Masses [kg], angular frequencies [rad/s] and lengths [m]: a slow one, an ordinary one, a molecule (500 N/m), a fast
+/// one.
 struct Scales {
   double mass, omega, length;
 };
@@ -53,7 +54,8 @@ RandomEnsemble oscillators(const Scales& s, VelocitySeries velocity, Layout layo
 }
 
 /// In units of its own mass, time and length the motion is that of omega = 1, whatever these are: rounding apart, of
-/// some ten steps of 26 terms below 4, ten 26 4 2e-16 = 2e-13. Coefficient 26 is some omega^26 / 26!, beyond all doubles.
+/// some ten steps of 26 terms below 4, ten 26 4 2e-16 = 2e-13. Coefficient 26 is some omega^26 / 26!, beyond all
+/// doubles.
 TEST(RandomEnsemble, IsTheSameForFastAndForSlowMotions) {
   for (const auto velocity : {VelocitySeries::own_series, VelocitySeries::derivative})
     for (const bool timed : {false, true}) {

@@ -82,9 +82,9 @@ class RandomEnsemble {
   /// Of all members so far. In lanes, orders are computed up to the largest degree in a block of members, for all.
   Work work() const;
 
-  /// The orders of the forces that a step of a member computes by itself, on average over the steps of all so far; 0 before
-  /// the first: what the method costs, the same in lanes and one by one. Of Taylor's method of degree N: N, or N - 1 with
-  /// `derivative`.
+  /// The orders of the forces that a step of a member computes by itself, on average over the steps of all so far; 0
+  /// before the first: what the method costs, the same in lanes and one by one. Of Taylor's method of degree N: N, or N
+  /// - 1 with `derivative`.
   double mean_orders() const;
 
   /// The memory that an ensemble of this method keeps for each member [bytes], to some 10 %.

@@ -45,8 +45,8 @@ struct Scene {
   /// What taylor and random_taylor are made of; nothing for other integrators.
   std::optional<SeriesMethod> series;
 
-  /// For `check`: the step, when it is the same every time, and the orders of the forces that a step computes on average;
-  /// of a sequential law, whose degrees depend on the motion, a lower bound.
+  /// For `check`: the step, when it is the same every time, and the orders of the forces that a step computes on
+  /// average; of a sequential law, whose degrees depend on the motion, a lower bound.
   std::optional<double> fixed_step;
   double mean_orders = 0;
   bool orders_at_least = false;
