@@ -95,11 +95,13 @@ void check(const SceneArguments& arguments) {
     elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   } while (elapsed < 0.05);
   std::printf("  memory      %.3g MB of series\n", static_cast<double>(series.bytes()) / 1e6);
-  std::printf("  a step      %.4g orders on average, %.3g element coefficients, about %.3g ms\n",
-              scene.mean_orders, scene.mean_orders * static_cast<double>(elements), 1e3 * elapsed / repeats);
+  const char* about = scene.orders_at_least ? "at least" : "about";
+  std::printf("  a step      %s%.4g orders on average, %.3g element coefficients, %s %.3g ms\n",
+              scene.orders_at_least ? "at least " : "", scene.mean_orders,
+              scene.mean_orders * static_cast<double>(elements), about, 1e3 * elapsed / repeats);
   if (scene.fixed_step)
-    std::printf("  the run     %.0f steps, about %.2g s and the frames\n",
-                std::ceil(scene.until / *scene.fixed_step),
+    std::printf("  the run     %.0f steps, %s %.2g s and the frames\n",
+                std::ceil(scene.until / *scene.fixed_step), about,
                 scene.until / *scene.fixed_step * elapsed / repeats);
   else
     std::printf("  the run     as many steps as its control chooses, until t = %.6g s\n", scene.until);

@@ -17,13 +17,15 @@ class RandomEnsemble::Members {
   virtual void advance(std::size_t task, double until, const std::function<bool()>& go_on) = 0;
   virtual State<double> state(std::size_t i) const = 0;
   virtual Work work() const = 0;
+  /// The sum over members and steps of what RandomEnsemble::mean_orders is the mean of.
+  virtual std::uint64_t orders() const = 0;
 
   std::vector<Report> reports;
 };
 
 std::unique_ptr<RandomEnsemble::Members> members_in_lanes(const System<double>& system,
-                                                          const SeriesMethod& method,
-                                                          const std::vector<State<double>>& states,
+                                                          const SeriesMethod& method, std::size_t count,
+                                                          const RandomEnsemble::Start& start,
                                                           const RandomEnsemble::Options& options);
 
 /// Whether a system is small enough for lanes to be faster.

@@ -18,10 +18,17 @@ namespace {
 /// and 3.4 in lanes, 3.1 and 3.1 one by one; one of 560 elements 19 and 30 in lanes, 14 and 15 one by one.
 constexpr std::size_t most_elements = 100;
 
+/// The power of two next to a step, as unit of time: coefficient n of the series is then of the size of the term, x_n
+/// h^n, and neither over- nor underflows where the sum does not, however fast or slow the motion. Its square is a
+/// double.
+double unit_for(double step) {
+  return std::ldexp(1.0, std::clamp(static_cast<int>(std::lround(std::log2(step))), -500, 500));
+}
+
 class InLanes final : public RandomEnsemble::Members {
  public:
-  InLanes(const System<double>& system, const SeriesMethod& method, const std::vector<State<double>>& states,
-          const RandomEnsemble::Options& options);
+  InLanes(const System<double>& system, const SeriesMethod& method, std::size_t count,
+          const RandomEnsemble::Start& start, const RandomEnsemble::Options& options);
 
   bool in_lanes() const override { return true; }
   std::size_t tasks() const override { return blocks_.size(); }
@@ -32,12 +39,18 @@ class InLanes final : public RandomEnsemble::Members {
     for (const Block& block : blocks_) add(block.work, all);
     return all;
   }
+  std::uint64_t orders() const override {
+    std::uint64_t all = 0;
+    for (const Block& block : blocks_) all += block.orders;
+    return all;
+  }
 
  private:
   struct alignas(64) Block {
     double time = 0;
     std::uint64_t update = 0;
     Work work;
+    std::uint64_t orders = 0;                              // that its members would compute one by one
     AlignedVector<double> position, velocity;              // [component][lane]
     double begin = 0;                                      // of the last step
     AlignedVector<double> begin_position, begin_velocity;  // there
@@ -52,21 +65,25 @@ class InLanes final : public RandomEnsemble::Members {
           time(of.lanes_),
           not_finite(of.lanes_),
           largest(of.lanes_),
-          degrees(of.lanes_) {
+          degrees(of.lanes_),
+          tops(of.lanes_) {
       series.reserve(of.law_.max_degree() + 2);
     }
     Blocks<double> series;
     AlignedVector<double> weights;  // [draw][term][lane]
     AlignedVector<double> next, time, not_finite, largest;
     std::vector<std::uint64_t> degrees;  // sum over the moving particles
+    std::vector<int> tops;               // the largest of them
   };
 
   int draw(std::size_t first, const std::vector<char>& moves, std::uint64_t update, Workspace& work) const;
   void grow(const AlignedVector<double>& position, const AlignedVector<double>& velocity, double time,
-            int top, Workspace& work) const;
-  void sum(int top, double h, Workspace& work) const;
+            int top, double unit, Workspace& work) const;
+  void sum(int top, double h, double unit, Workspace& work) const;
   void look(std::size_t first, double time, Block& block, Workspace& work) const;
-  int order_needed(int top) const { return options_.velocity == VelocitySeries::own_series ? top + 1 : top; }
+  int order_needed(int top) const {
+    return options_.velocity == VelocitySeries::own_series ? top + 1 : std::max(top, 1);
+  }
 
   SystemLanes system_;
   TruncationLaw law_;
@@ -84,9 +101,9 @@ class InLanes final : public RandomEnsemble::Members {
   Pool<Workspace> pool_;
 };
 
-InLanes::InLanes(const System<double>& system, const SeriesMethod& method,
-                 const std::vector<State<double>>& states, const RandomEnsemble::Options& options)
-    : Members(states.size()),
+InLanes::InLanes(const System<double>& system, const SeriesMethod& method, std::size_t count,
+                 const RandomEnsemble::Start& start, const RandomEnsemble::Options& options)
+    : Members(count),
       system_(system),
       law_(known_beforehand(method.law)),
       options_(method.options),
@@ -103,18 +120,20 @@ InLanes::InLanes(const System<double>& system, const SeriesMethod& method,
     options_.draws = Draw::independent;
   }
   draws_ = options_.shared_draw ? 1 : system_.particles;
-  for (std::size_t i = 0; i < states.size(); ++i)
+  draws_of_.reserve(count);
+  for (std::size_t i = 0; i < count; ++i)
     draws_of_.emplace_back(options_.draws, &law_, member_seed(options_.seed, i),
                            static_cast<std::uint32_t>(draws_));
-  stopped_.resize(states.size());
-  blocks_.resize((states.size() + lanes_ - 1) / lanes_);
+  stopped_.resize(count);
+  blocks_.resize((count + lanes_ - 1) / lanes_);
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     Block& block = blocks_[b];
-    block.time = block.begin = block.seen = states[0].time;
     block.position.resize(static_cast<std::size_t>(system_.components) * lanes_);
     block.velocity.resize(block.position.size());
+    State<double> state;
     for (int lane = 0; lane < lanes_; ++lane) {  // lanes beyond the last member repeat it
-      const State<double>& state = states[std::min(b * lanes_ + lane, states.size() - 1)];
+      if (b * lanes_ + lane < count) state = start(b * lanes_ + lane);
+      block.time = block.begin = block.seen = state.time;
       for (int c = 0; c < system_.components; ++c) {
         block.position[c * lanes_ + lane] = state.position.data()[c];
         block.velocity[c * lanes_ + lane] = state.velocity.data()[c];
@@ -129,7 +148,7 @@ InLanes::InLanes(const System<double>& system, const SeriesMethod& method,
 /// the members that move.
 int InLanes::draw(std::size_t first, const std::vector<char>& moves, std::uint64_t update,
                   Workspace& work) const {
-  int top = law_.min_degree();
+  std::ranges::fill(work.tops, law_.min_degree());
   std::ranges::fill(work.degrees, 0);
   for (int d = 0; d < draws_; ++d) {
     const bool fixed = !options_.shared_draw && system_.inverse_mass[d * system_.dimension] == 0.0;
@@ -143,31 +162,32 @@ int InLanes::draw(std::size_t first, const std::vector<char>& moves, std::uint64
       else if (moves[lane])
         degree = draws_of_[first + lane].degree(law_, particle, update);
       if (moves[lane]) {
-        top = std::max(top, degree);
+        work.tops[lane] = std::max(work.tops[lane], degree);
         work.degrees[lane] += options_.shared_draw ? static_cast<std::uint64_t>(degree) * moving_ : degree;
       }
       for (int n = 0; n <= law_.max_degree(); ++n)
         weights[n * lanes_ + lane] = n <= degree ? law_.weight(n, degree) : 0.0;
     }
   }
-  return top;
+  return *std::ranges::max_element(work.tops);
 }
 
-/// The series from a state, for degrees up to `top`.
+/// The series from a state, for degrees up to `top`; coefficient n comes times unit^n.
 void InLanes::grow(const AlignedVector<double>& position, const AlignedVector<double>& velocity, double time,
-                   int top, Workspace& work) const {
+                   int top, double unit, Workspace& work) const {
   for (int c = 0; c < system_.components; ++c) {
     double* x = work.series.at(0, system_.series[c], 0);
     std::copy_n(position.data() + c * lanes_, lanes_, x);
-    std::copy_n(velocity.data() + c * lanes_, lanes_, x + lanes_);
+    of_->scale(lanes_, unit, velocity.data() + c * lanes_, x + lanes_);
   }
   std::ranges::fill(work.time, time);
-  system_.grow(work.series, *of_, work.time.data(), order_needed(top));
+  system_.grow(work.series, *of_, work.time.data(), order_needed(top), unit);
 }
 
-/// Positions and velocities after h.
-void InLanes::sum(int top, double h, Workspace& work) const {
+/// Positions and velocities after h; sums over powers of h / unit.
+void InLanes::sum(int top, double h, double unit, Workspace& work) const {
   const bool derivative = options_.velocity == VelocitySeries::derivative;
+  const double s = h / unit;
   double* position = work.next.data();
   double* velocity = position + static_cast<std::size_t>(system_.components) * lanes_;
   for (int c = 0; c < system_.components; ++c, position += lanes_, velocity += lanes_) {
@@ -175,10 +195,11 @@ void InLanes::sum(int top, double h, Workspace& work) const {
     const int draw = options_.shared_draw ? 0 : c / system_.dimension;
     const double* weights = work.weights.data() + static_cast<std::size_t>(draw) * terms_ * lanes_;
     const double* x = work.series.at(0, system_.series[c], 0);
-    of_->weighted(lanes_, false, top, x, weights, h, position);
+    of_->weighted(lanes_, false, top, x, weights, s, position);
     // With `derivative`, coefficient n of the velocity carries the weight of coefficient n + 1 of the position.
-    of_->weighted(lanes_, true, derivative ? top - 1 : top, x, derivative ? weights + lanes_ : weights, h,
+    of_->weighted(lanes_, true, derivative ? top - 1 : top, x, derivative ? weights + lanes_ : weights, s,
                   velocity);
+    of_->multiply(lanes_, 1 / unit, velocity);
     for (const double* next : {position, velocity})
       of_->largest(lanes_, next, work.largest.data(), work.not_finite.data());
   }
@@ -210,9 +231,10 @@ void InLanes::advance(std::size_t number, double until, const std::function<bool
     }
     const int top = draw(first, moves, block.update, *work);
     const int order = order_needed(top);
-    grow(block.position, block.velocity, block.time, top, *work);
+    const double unit = unit_for(h);
+    grow(block.position, block.velocity, block.time, top, unit, *work);
     std::ranges::fill(work->not_finite, 0.0);
-    sum(top, h, *work);
+    sum(top, h, unit, *work);
 
     const double* next_position = work->next.data();
     const double* next_velocity = next_position + static_cast<std::size_t>(system_.components) * lanes_;
@@ -247,7 +269,10 @@ void InLanes::advance(std::size_t number, double until, const std::function<bool
     block.work.coefficients += static_cast<std::uint64_t>(moving) * moving_ * (order - 1);
     block.work.element_coefficients += static_cast<std::uint64_t>(moving) * system_.elements * (order - 1);
     for (int i = 0; i < active; ++i)
-      if (moves[i]) block.work.degrees += work->degrees[i];
+      if (moves[i]) {
+        block.work.degrees += work->degrees[i];
+        block.orders += order_needed(work->tops[i]) - 1;
+      }
   }
   if (block.time >= until) look(first, until, block, *work);
   pool_.give_back(std::move(work));
@@ -263,8 +288,9 @@ void InLanes::look(std::size_t first, double time, Block& block, Workspace& work
   for (int i = 0; i < lanes_ && first + i < reports.size(); ++i)
     moves[i] = reports[first + i].outcome == Outcome::success;
   const int top = draw(first, moves, block.update - 1, work);
-  grow(block.begin_position, block.begin_velocity, block.begin, top, work);
-  sum(top, time - block.begin, work);
+  const double unit = unit_for(block.time - block.begin);
+  grow(block.begin_position, block.begin_velocity, block.begin, top, unit, work);
+  sum(top, time - block.begin, unit, work);
   const double* position = work.next.data();
   const double* velocity = position + block.position.size();
   for (int c = 0; c < system_.components; ++c) {
@@ -297,10 +323,10 @@ bool fits_lanes(const System<double>& system) {
 }
 
 std::unique_ptr<RandomEnsemble::Members> members_in_lanes(const System<double>& system,
-                                                          const SeriesMethod& method,
-                                                          const std::vector<State<double>>& states,
+                                                          const SeriesMethod& method, std::size_t count,
+                                                          const RandomEnsemble::Start& start,
                                                           const RandomEnsemble::Options& options) {
-  return std::make_unique<InLanes>(system, method, states, options);
+  return std::make_unique<InLanes>(system, method, count, start, options);
 }
 
 }  // namespace jetlag

@@ -77,7 +77,9 @@ SystemLanes::SystemLanes(const System<double>& system)
     reads_velocity = reads_velocity || loaded.input.kind == Input::Kind::velocity;
 }
 
-void SystemLanes::grow(Blocks<double>& blocks, const EnsembleLanes& of, const double* time, int order) const {
+/// With s = (t - t_0) / unit:   v_k = (k+1) x_{k+1} / unit,   x_{k+2} = F_k unit^2 / (m (k+1) (k+2)).
+void SystemLanes::grow(Blocks<double>& blocks, const EnsembleLanes& of, const double* time, int order,
+                       double unit) const {
   const int lanes = blocks.lanes(), last = order - 2;
   for (int k = 0; k <= last;) {
     const int orders = !reads_velocity && k < last ? 2 : 1;
@@ -86,9 +88,9 @@ void SystemLanes::grow(Blocks<double>& blocks, const EnsembleLanes& of, const do
         double* to = blocks.at(0, place, n);
         const std::size_t c = static_cast<std::size_t>(input.participant) * dimension + input.component;
         if (input.kind == Input::Kind::time) {
-          for (int i = 0; i < lanes; ++i) to[i] = n == 0 ? time[i] : n == 1 ? 1.0 : 0.0;
+          for (int i = 0; i < lanes; ++i) to[i] = n == 0 ? time[i] : n == 1 ? unit : 0.0;
         } else if (input.kind == Input::Kind::velocity) {
-          of.scale(lanes, n + 1, blocks.at(0, series[c], n + 1), to);
+          of.scale(lanes, (n + 1) / unit, blocks.at(0, series[c], n + 1), to);
         } else {
           const double* plus = blocks.at(0, series[c], n);
           const double* minus =
@@ -100,11 +102,11 @@ void SystemLanes::grow(Blocks<double>& blocks, const EnsembleLanes& of, const do
     for (int c = 0; c < components; ++c) {
       if (inverse_mass[c] == 0.0) continue;
       const Place output = program.outputs[c];
+      const double push = inverse_mass[c] * unit * unit;
       const bool constant = output.space == Place::Space::statics;
       double* to = blocks.at(0, series[c], k + 2);
       if (orders == 2 && !constant) {
-        const double of_this = inverse_mass[c] / ((k + 1.0) * (k + 2.0)),
-                     of_next = inverse_mass[c] / ((k + 2.0) * (k + 3.0));
+        const double of_this = push / ((k + 1.0) * (k + 2.0)), of_next = push / ((k + 2.0) * (k + 3.0));
         of.scale_two(lanes, of_this, of_next, blocks.at(0, output, k), blocks.at(0, output, k + 1), to);
         continue;
       }
@@ -112,7 +114,7 @@ void SystemLanes::grow(Blocks<double>& blocks, const EnsembleLanes& of, const do
         if (n > 0 && constant)
           std::fill_n(to, lanes, 0.0);
         else
-          of.scale(lanes, inverse_mass[c] / ((n + 1.0) * (n + 2.0)), blocks.at(0, output, n), to);
+          of.scale(lanes, push / ((n + 1.0) * (n + 2.0)), blocks.at(0, output, n), to);
     }
     k += orders;
   }

@@ -21,7 +21,9 @@ struct SystemLanes {
   bool reads_velocity = false;
 
   /// The series of the positions up to `order`, from their orders 0 and 1.   time: one for each lane [s].
-  void grow(Blocks<double>& blocks, const EnsembleLanes& lanes, const double* time, int order) const;
+  /// unit [s]: a power of two; coefficient k comes times unit^k, with the same digits, as in Expansion.
+  void grow(Blocks<double>& blocks, const EnsembleLanes& lanes, const double* time, int order,
+            double unit = 1) const;
 };
 
 }  // namespace jetlag

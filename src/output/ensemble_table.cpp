@@ -39,23 +39,23 @@ std::string list(const std::vector<std::string>& items) {
 /// a / b where both are positive numbers.
 std::string ratio(double a, double b) { return a > 0 && b > 0 ? json(a / b) : "null"; }
 
-std::vector<std::pair<std::string, std::string>> members_of(const Calibration& c) {
+std::vector<std::pair<std::string, std::string>> members_of(const Calibration& c, bool perturbed) {
   return {{"spread", json(c.spread)},
           {"member_error", json(c.member_error)},
           {"mean_error", json(c.mean_error)},
           {"deterministic_error", json(c.deterministic_error)},
           {"spread_over_member_error", ratio(c.spread, c.member_error)},
           {"spread_over_mean_error", ratio(c.spread, c.mean_error)},
-          {"spread_over_deterministic_error", ratio(c.spread, c.deterministic_error)}};
+          {"spread_over_deterministic_error", perturbed ? "null" : ratio(c.spread, c.deterministic_error)}};
 }
 
-std::string calibration(const EnsembleFrame& frame) {
-  auto members = members_of(frame.calibration);
+std::string calibration(const EnsembleFrame& frame, bool perturbed) {
+  auto members = members_of(frame.calibration, perturbed);
   members.insert(members.begin(), {{"time", json(frame.time)}, {"members", std::to_string(frame.members)}});
   return object(members);
 }
 
-std::string definitions() {
+std::string definitions(bool perturbed) {
   const std::string separator = "\n    ";
   return object(
       {{"over_time",
@@ -69,18 +69,27 @@ std::string definitions() {
         json("mean of the members minus reference, root mean square over components [m]; for a linear motion "
              "without bias it is some spread / sqrt(members)")},
        {"deterministic_error",
-        json("run of the fixed degree nearest to the mean degree, with the same control, minus reference, "
-             "root "
-             "mean square over components [m]: what an answer of the same cost without randomness misses")},
-       {"spread_over_member_error", json("1: the members scatter about the truth; below 1: they share an "
-                                         "error (a bias) that the spread does "
-                                         "not show; it cannot exceed sqrt(members / (members - 1))")},
+        json(
+            "run of a fixed degree with the same control minus reference, root mean square over components "
+            "[m]: what an answer without randomness misses at the same cost of a step; deterministic has its "
+            "degree and work")},
+       {"orders_of_a_member",
+        json("orders of the forces that a step of a member computes by itself, measured, on average: up to "
+             "the degree drawn, or up to the largest where each particle draws, and up to what the control "
+             "reads. The degree is that whose steps compute as many, rounded. Lanes compute somewhat more, "
+             "up to "
+             "the largest of their members: that is in work, not here")},
+       {"spread_over_member_error",
+        json("1: the members scatter about the truth; below 1: they share an error (a bias) that the spread "
+             "does not show; it cannot exceed sqrt(members / (members - 1))")},
        {"spread_over_mean_error",
         json("how far the mean of the ensemble is better than a member; large: averaging pays")},
        {"spread_over_deterministic_error",
-        json(
-            "whether the spread is a fair error bar of an ordinary run: 1: it is; above: too careful; below: "
-            "too sure")},
+        json(perturbed
+                 ? "null: the members start apart, so their spread is that of where they start, and no "
+                   "error bar of a method"
+                 : "whether the spread is a fair error bar of an ordinary run whose steps cost the same: "
+                   "1: it is; above: too careful; below: too sure")},
        {"reference", json("the same scene from its initial state without perturbation, by Taylor's method of "
                           "degree 20 with jorba_zou: to rounding")}},
       separator);
@@ -124,8 +133,9 @@ void write_ensemble_csv(const std::filesystem::path& path, const EnsembleResult&
 }
 
 std::string to_json(const EnsembleResult& result) {
+  const bool perturbed = result.perturbation > 0;
   std::vector<std::string> frames, failures;
-  for (const EnsembleFrame& frame : result.frames) frames.push_back(calibration(frame));
+  for (const EnsembleFrame& frame : result.frames) frames.push_back(calibration(frame, perturbed));
   for (std::size_t i = 0; i < std::min(result.failures.size(), most_failures); ++i) {
     const auto& [member, time, report] = result.failures[i];
     failures.push_back(object({{"member", std::to_string(member)},
@@ -133,35 +143,40 @@ std::string to_json(const EnsembleResult& result) {
                                {"outcome", json(std::string(to_string(report.outcome)))},
                                {"message", json(report.message)}}));
   }
-  const Work& work = result.work;
+  const Work &work = result.work, &fixed = result.deterministic_work;
+  const int run = result.deterministic_degree;
   const std::string works = object({{"updates", std::to_string(work.updates)},
                                     {"steps", std::to_string(work.steps)},
                                     {"coefficients", std::to_string(work.coefficients)},
                                     {"element_coefficients", std::to_string(work.element_coefficients)},
                                     {"mean_degree", json(work.mean_degree())},
                                     {"rejected", std::to_string(work.rejected)}});
-  return object({{"outcome", json(std::string(to_string(result.outcome)))},
-                 {"message", json_or_null(result.message)},
-                 {"time", json(result.frames.empty() ? 0.0 : result.frames.back().time)},
-                 {"members", std::to_string(result.members)},
-                 {"failed", std::to_string(result.failures.size())},
-                 {"failures", list(failures)},
-                 {"perturbation", json(result.perturbation)},
-                 {"work", works},
-                 {"wall_seconds", json(result.wall_seconds)},
-                 {"threads", std::to_string(result.threads)},
-                 {"layout", json(std::string(result.in_lanes ? "lanes" : "one by one"))},
-                 {"instruction_set", json(result.instruction_set)},
-                 {"seed", std::to_string(result.seed)},
-                 {"version", json(result.version)},
-                 {"reference", object({{"method", json(std::string("taylor, degree 20, jorba_zou"))},
-                                       {"message", json_or_null(result.reference_message)}})},
-                 {"deterministic", object({{"degree", std::to_string(result.deterministic_degree)},
-                                           {"message", json_or_null(result.deterministic_message)}})},
-                 {"definitions", definitions()},
-                 {"over_time", object(members_of(over_time(result)))},
-                 {"calibration", list(frames)}},
-                "\n  ") +
+  return object(
+             {{"outcome", json(std::string(to_string(result.outcome)))},
+              {"message", json_or_null(result.message)},
+              {"time", json(result.frames.empty() ? 0.0 : result.frames.back().time)},
+              {"members", std::to_string(result.members)},
+              {"failed", std::to_string(result.failures.size())},
+              {"failures", list(failures)},
+              {"perturbation", json(result.perturbation)},
+              {"work", works},
+              {"wall_seconds", json(result.wall_seconds)},
+              {"threads", std::to_string(result.threads)},
+              {"layout", json(std::string(result.in_lanes ? "lanes" : "one by one"))},
+              {"instruction_set", json(result.instruction_set)},
+              {"seed", std::to_string(result.seed)},
+              {"version", json(result.version)},
+              {"reference", object({{"method", json(std::string("taylor, degree 20, jorba_zou"))},
+                                    {"message", json_or_null(result.reference_message)}})},
+              {"deterministic", object({{"degree", run > 0 ? std::to_string(run) : "null"},
+                                        {"orders_of_a_member", json(result.mean_orders)},
+                                        {"steps", std::to_string(fixed.steps)},
+                                        {"element_coefficients", std::to_string(fixed.element_coefficients)},
+                                        {"message", json_or_null(result.deterministic_message)}})},
+              {"definitions", definitions(perturbed)},
+              {"over_time", object(members_of(over_time(result), perturbed))},
+              {"calibration", list(frames)}},
+             "\n  ") +
          "\n";
 }
 

@@ -44,6 +44,7 @@ struct Method {
   int threads;
   std::optional<double> fixed_step;
   double mean_orders;
+  bool at_least;
   int largest_degree;
 };
 Method read_method(const Value& scene, std::shared_ptr<const System<double>> system, std::uint64_t seed);

@@ -134,6 +134,7 @@ VelocitySeries read_velocity_series(const Value& integrator) {
 struct IntegratorFactory {
   std::function<std::unique_ptr<Integrator>()> make;
   double mean_orders;
+  bool at_least;  // mean_orders is a lower bound
   int largest_degree;
   std::optional<SeriesMethod> series{};
 };
@@ -146,6 +147,33 @@ struct MethodArguments {
   int threads;
 };
 
+/// P(the largest of the degrees that a step draws >= n). Draws of different particles are independent,
+///     1 - (1 - P)^M,      P = P(K >= n), M = moving particles,
+/// but of `stratified` ones, one from each of N intervals of (0, 1], the first floor(N P) surely go that far and the
+/// next one with the probability N P - floor(N P). Which M of the N are those of moving particles is random.
+double largest_at_least(const TruncationLaw& law, const RandomTaylor::Options& options,
+                        const System<double>& system, int n) {
+  const double p = law.at_least(n);
+  const int moving = moving_particles(system), all = system.particles();
+  if (options.shared_draw || moving == 0) return p;
+  if (options.draws != Draw::stratified) return -std::expm1(moving * std::log1p(-p));
+  const double sure = std::floor(all * p);
+  double none = 1;  // of the moving ones
+  for (int i = 0; i < sure && none > 0; ++i) none *= double(std::max(0, all - moving - i)) / (all - i);
+  return 1 - none * (sure < all ? 1 - (all * p - sure) * std::min(1.0, moving / (all - sure)) : 1.0);
+}
+
+/// The orders of the forces that a step computes on average: those of the positions up to the largest degree, with
+/// own_series one more, and up to what the control reads, but the two that the state gives.
+double mean_orders(const TruncationLaw& law, const RandomTaylor::Options& options,
+                   const System<double>& system, int read) {
+  const int more = options.velocity == VelocitySeries::own_series ? 1 : 0;
+  double mean = 0;  // E max(largest K + more, read), from its tail
+  for (int n = 1; n <= std::max(law.max_degree() + more, read); ++n)
+    mean += n <= read || n <= more ? 1.0 : largest_at_least(law, options, system, n - more);
+  return std::max(mean, 1.0) - 1;
+}
+
 IntegratorFactory series_method(const MethodArguments& arguments, Truncation law, bool shared_draw,
                                 Draw draws) {
   const RandomTaylor::Options options{arguments.seed,
@@ -155,13 +183,16 @@ IntegratorFactory series_method(const MethodArguments& arguments, Truncation law
                                       arguments.threads,
                                       draws};
   const TruncationLaw known = known_beforehand(law);
-  const double orders = known.mean() + (options.velocity == VelocitySeries::own_series ? 1 : 0) - 1;
   std::shared_ptr<const Control> model =
       read_control(arguments.control, known, options.velocity, *arguments.system);
+  const int read = model->orders_read(known, options.velocity);
   return {[system = arguments.system, law, model, options] {
             return std::make_unique<RandomTaylor>(*system, law, model->clone(), options);
           },
-          orders, known.max_degree(), SeriesMethod{law, options, model}};
+          mean_orders(known, options, *arguments.system, read),
+          std::holds_alternative<SequentialLaw>(law) &&
+              read <= known.max_degree() - (options.velocity == VelocitySeries::own_series ? 0 : 1),
+          known.max_degree(), SeriesMethod{law, options, model}};
 }
 
 IntegratorFactory read_taylor(const MethodArguments& arguments) {
@@ -228,7 +259,8 @@ IntegratorFactory read_leapfrog(const MethodArguments& arguments) {
   double step = read_step(arguments);
   if (const auto courant = read_courant(arguments.control, *arguments.system))
     step = std::min(step, courant->first * 2.0 / courant->second);
-  return {[system = arguments.system, step] { return std::make_unique<Leapfrog>(*system, step); }, 1.0, 2};
+  return {[system = arguments.system, step] { return std::make_unique<Leapfrog>(*system, step); }, 1.0, false,
+          2};
 }
 
 IntegratorFactory read_symplectic_euler(const MethodArguments& arguments) {
@@ -345,6 +377,7 @@ Method read_method(const Value& scene, std::shared_ptr<const System<double>> sys
           threads,
           fixed_step,
           method.mean_orders,
+          method.at_least,
           method.largest_degree};
 }
 

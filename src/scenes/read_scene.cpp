@@ -79,6 +79,7 @@ Scene read(Json json, const std::filesystem::path& folder) {
   scene.threads = method.threads;
   scene.fixed_step = method.fixed_step;
   scene.mean_orders = method.mean_orders;
+  scene.orders_at_least = method.at_least;
   scene.json = json.dump(2);
   return scene;
 }

@@ -35,6 +35,17 @@ const SeriesMethod& series_of(const Scene& scene, const EnsembleOptions& options
   return *scene.series;
 }
 
+std::vector<Quantity> quantities_of(const Scene& scene, bool velocities) {
+  std::vector<Quantity> quantities;
+  for (int i = 0; i < scene.system->particles(); ++i)
+    for (const bool of_velocity : {false, true})
+      for (int c = 0; c < scene.system->dimension(); ++c)
+        if (!scene.system->fixed()[i] && (!of_velocity || velocities))
+          quantities.push_back({i, c, of_velocity});
+  if (scene.output.energy) quantities.push_back({});
+  return quantities;
+}
+
 void check(const Scene& scene, const EnsembleOptions& options) {
   if (options.members < 1 || options.members > 1'000'000)
     throw SceneError("--members: got " + std::to_string(options.members) +
@@ -47,25 +58,13 @@ void check(const Scene& scene, const EnsembleOptions& options) {
   series_of(scene, options);
   if (moving_particles(*scene.system) == 0)
     throw SceneError("particles.fixed: all particles are fixed; an ensemble needs one that moves");
-  const double components = double(scene.system->particles()) * scene.system->dimension();
-  const double bytes = 8 * (4 * components * options.members + 2 * 12 * components * scene.output.frames);
+  const double bytes = bytes_needed(scene, options);
   const double memory = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
   if (bytes > 0.8 * memory)
-    throw SceneError("--members: the states of " + std::to_string(options.members) + " members and " +
+    throw SceneError("--members: " + std::to_string(options.members) + " members and " +
                      std::to_string(scene.output.frames) + " frames would take " + number(bytes / 1e9) +
                      " GB; must be below 80 % of the memory of this machine, " + number(memory / 1e9) +
                      " GB");
-}
-
-std::vector<Quantity> quantities_of(const Scene& scene, bool velocities) {
-  std::vector<Quantity> quantities;
-  for (int i = 0; i < scene.system->particles(); ++i)
-    for (const bool of_velocity : {false, true})
-      for (int c = 0; c < scene.system->dimension(); ++c)
-        if (!scene.system->fixed()[i] && (!of_velocity || velocities))
-          quantities.push_back({i, c, of_velocity});
-  if (scene.output.energy) quantities.push_back({});
-  return quantities;
 }
 
 /// --watch as a position in the list of quantities; nothing: of what spreads most.
@@ -119,10 +118,13 @@ class Companion {
         seen_(scene.initial),
         end_(scene.until) {}
 
-  /// Its state is then that at `time`, from the polynomial of the last step.
-  void advance_to(double time, const std::function<bool()>& go_on) {
+  /// Its state is then that at `time`, from the polynomial of the last step. Returns whether it has got there.
+  bool advance_to(double time, const std::function<bool()>& go_on) {
     while (message_.empty() && state_.time < time) {
-      if (go_on && !go_on()) return;
+      if (go_on && !go_on()) {
+        message_ = "was stopped at t = " + number(state_.time) + " s";
+        break;
+      }
       if (taylor_.work().steps >= most_steps)
         message_ = "left at t = " + number(state_.time) + " s after " + std::to_string(most_steps) + " steps";
       Report report;
@@ -133,10 +135,12 @@ class Companion {
         state_.time = h == limit ? end_ : state_.time + h;
     }
     if (message_.empty()) seen_ = state_.time == time ? state_ : taylor_.piece().at(time);
+    return message_.empty();
   }
   const State<double>& state() const { return seen_; }
   /// Why it goes no further; empty: it does.
   const std::string& message() const { return message_; }
+  const Work& work() const { return taylor_.work(); }
 
  private:
   static constexpr std::uint64_t most_steps = 5'000'000;
@@ -146,18 +150,16 @@ class Companion {
   std::string message_;
 };
 
-std::vector<State<double>> starts(const Scene& scene, const EnsembleOptions& options) {
-  State<double> initial = scene.initial;
-  initial.drop_rests();
-  std::vector<State<double>> states(options.members, initial);
-  if (options.perturbation > 0)
-    for (int i = 0; i < options.members; ++i)
-      for (int p = 0; p < scene.system->particles(); ++p)
-        for (int c = 0; c < scene.system->dimension() && !scene.system->fixed()[p]; ++c)
-          states[i].position(p, c) +=
-              options.perturbation *
-              standard_normal(member_seed(scene.seed, i), static_cast<std::uint32_t>(p), c);
-  return states;
+/// Where a member starts.
+State<double> start(const Scene& scene, double perturbation, std::size_t member) {
+  State<double> state = scene.initial;
+  state.drop_rests();
+  if (perturbation > 0)
+    for (int p = 0; p < scene.system->particles(); ++p)
+      for (int c = 0; c < scene.system->dimension() && !scene.system->fixed()[p]; ++c)
+        state.position(p, c) +=
+            perturbation * standard_normal(member_seed(scene.seed, member), static_cast<std::uint32_t>(p), c);
+  return state;
 }
 
 RandomTaylor::Options companion_options(const SeriesMethod& series, bool is_reference) {
@@ -173,14 +175,13 @@ class EnsembleRun {
         hooks_(hooks),
         series_(series_of(scene, options)),
         workers_(options.threads),
-        members_(*scene.system, series_, starts(scene, options), {workers_, scene.max_steps, scene.until}),
-        reference_(scene, fixed_degree(20), std::make_unique<JorbaZou>(), companion_options(series_, true)),
-        deterministic_(scene, fixed_degree(deterministic_degree()), series_.control->clone(),
-                       companion_options(series_, false)) {
+        members_(*scene.system, series_, options.members,
+                 [&](std::size_t i) { return start(scene, options.perturbation, i); },
+                 {workers_, scene.max_steps, scene.until}),
+        reference_(scene, fixed_degree(20), std::make_unique<JorbaZou>(), companion_options(series_, true)) {
     result_.quantities = quantities_of(scene, options.velocities);
     result_.members = options.members;
     result_.perturbation = options.perturbation;
-    result_.deterministic_degree = deterministic_degree();
     result_.in_lanes = members_.in_lanes();
     result_.threads = options.threads;
     result_.seed = scene.seed;
@@ -197,10 +198,7 @@ class EnsembleRun {
       const auto start = Clock::now();
       const bool arrived = members_.advance_to(t, hooks_.go_on);
       result_.wall_seconds += std::chrono::duration<double>(Clock::now() - start).count();
-      if (arrived) {
-        reference_.advance_to(t, hooks_.go_on);
-        deterministic_.advance_to(t, hooks_.go_on);
-      }
+      if (arrived) reference_.advance_to(t, hooks_.go_on);
       if (!arrived || (hooks_.go_on && !hooks_.go_on())) {
         end(Outcome::interrupted,
             "stopped after the frame at t = " + number(result_.frames.back().time) + " s");
@@ -218,13 +216,35 @@ class EnsembleRun {
     }
     result_.work = members_.work();
     result_.reference_message = reference_.message();
-    result_.deterministic_message = deterministic_.message();
+    result_.mean_orders = members_.mean_orders();
+    compare_with_fixed_degree();
     return std::move(result_);
   }
 
  private:
-  int deterministic_degree() const {
-    return std::max(1, static_cast<int>(std::lround(known_beforehand(series_.law).mean())));
+  /// The run of the fixed degree whose steps cost what those of the members have cost, through all frames.
+  void compare_with_fixed_degree() {
+    if (result_.work.steps == 0) {
+      result_.deterministic_message = "was not made: no member has taken a step";
+      return;
+    }
+    const bool own_series = series_.options.velocity == VelocitySeries::own_series;
+    const int degree = std::max(1, static_cast<int>(std::lround(result_.mean_orders)) + (own_series ? 0 : 1));
+    result_.deterministic_degree = degree;
+    if (result_.outcome == Outcome::interrupted) {
+      result_.deterministic_message = "was not made: " + result_.message;
+      return;
+    }
+    Companion run(scene_, fixed_degree(degree), series_.control->clone(), companion_options(series_, false));
+    std::vector<double> of_run(result_.quantities.size());
+    EnergyMeter meter(*scene_.system);
+    for (EnsembleFrame& frame : result_.frames) {
+      if (!run.advance_to(frame.time, hooks_.go_on)) break;
+      values(run.state(), meter, [&](std::size_t q, double x) { of_run[q] = x; });
+      frame.calibration.deterministic_error = error(frame, of_run);
+    }
+    result_.deterministic_work = run.work();
+    result_.deterministic_message = run.message();
   }
 
   void end(Outcome outcome, const std::string& message) {
@@ -275,33 +295,43 @@ class EnsembleRun {
     auto meter = meters_.lend(make);
     if (reference_.message().empty())
       values(reference_.state(), *meter, [&](std::size_t q, double x) { frame.reference[q] = x; });
-    std::vector<double> deterministic(count, Calibration::not_known);
-    if (deterministic_.message().empty())
-      values(deterministic_.state(), *meter, [&](std::size_t q, double x) { deterministic[q] = x; });
     meters_.give_back(std::move(meter));
-    frame.calibration = calibration(frame, deterministic);
+    frame.calibration = calibration(frame);
     result_.frames.push_back(std::move(frame));
   }
 
   /// The mean square of member - reference is that of the members about their mean and that of the mean:
   ///     sum_i (x_i - r)^2 / n = (n - 1)/n s^2 + (mean - r)^2.
-  Calibration calibration(const EnsembleFrame& frame, const std::vector<double>& deterministic) const {
-    double spread = 0, members = 0, mean = 0, fixed = 0, count = 0;
+  Calibration calibration(const EnsembleFrame& frame) const {
+    double spread = 0, members = 0, mean = 0, count = 0;
     const auto n = static_cast<double>(frame.members);
     for (std::size_t q = 0; q < result_.quantities.size(); ++q) {
-      if (result_.quantities[q].particle < 0 || result_.quantities[q].of_velocity) continue;
+      if (!is_position(q)) continue;
       const Sample& sample = frame.samples[q];
-      const double of_mean = sample.mean - frame.reference[q],
-                   of_fixed = deterministic[q] - frame.reference[q];
+      const double of_mean = sample.mean - frame.reference[q];
       const double own = n > 1 ? (n - 1) / n * sample.spread * sample.spread : 0.0;
       spread += sample.spread * sample.spread;
       members += own + of_mean * of_mean;
       mean += of_mean * of_mean;
-      fixed += of_fixed * of_fixed;
       ++count;
     }
     const auto root = [&](double sum) { return std::sqrt(sum / count); };
-    return {root(spread), root(members), root(mean), root(fixed)};
+    return {root(spread), root(members), root(mean)};
+  }
+
+  /// Root mean square of x - reference over the positions.
+  double error(const EnsembleFrame& frame, const std::vector<double>& x) const {
+    double sum = 0, count = 0;
+    for (std::size_t q = 0; q < x.size(); ++q) {
+      if (!is_position(q)) continue;
+      sum += (x[q] - frame.reference[q]) * (x[q] - frame.reference[q]);
+      ++count;
+    }
+    return std::sqrt(sum / count);
+  }
+
+  bool is_position(std::size_t q) const {
+    return result_.quantities[q].particle >= 0 && !result_.quantities[q].of_velocity;
   }
 
   const Scene& scene_;
@@ -309,7 +339,7 @@ class EnsembleRun {
   const SeriesMethod& series_;
   Workers workers_;
   RandomEnsemble members_;
-  Companion reference_, deterministic_;
+  Companion reference_;
   EnsembleResult result_;
   std::vector<std::size_t> alive_;
   std::vector<double> values_;  // [quantity][member]
@@ -317,6 +347,15 @@ class EnsembleRun {
 };
 
 }  // namespace
+
+double bytes_needed(const Scene& scene, const EnsembleOptions& options) {
+  constexpr double in_a_sample = sizeof(Sample) + sizeof(double),
+                   in_the_table = 2 * 260;  // text, as it grows
+  const auto quantities = static_cast<double>(quantities_of(scene, options.velocities).size());
+  const double of_a_member = RandomEnsemble::bytes_of_a_member(*scene.system, series_of(scene, options));
+  return options.members * (of_a_member + quantities * sizeof(double)) +
+         scene.output.frames * quantities * (in_a_sample + in_the_table);
+}
 
 EnsembleResult run_ensemble(const Scene& scene, const EnsembleOptions& options, const EnsembleHooks& hooks) {
   check(scene, options);

@@ -44,6 +44,9 @@ class RandomEnsemble {
     Layout layout = Layout::automatic;
   };
 
+  /// The state in which a member starts.
+  using Start = std::function<State<double>(std::size_t member)>;
+
   /// Member i starts at states[i] and draws with member_seed(method.options.seed, i): it has the same bits in any
   /// company and for any number of workers. In lanes and one by one it agrees to rounding.
   /// Keeps no reference to the system. The states have one time; their rests are dropped.
@@ -54,6 +57,9 @@ class RandomEnsemble {
   RandomEnsemble(const System<double>& system, const SeriesMethod& method,
                  const std::vector<State<double>>& states)
       : RandomEnsemble(system, method, states, Options{}) {}
+  /// As above for `members` states that are made one after the other and not kept besides.
+  RandomEnsemble(const System<double>& system, const SeriesMethod& method, std::size_t members,
+                 const Start& start, const Options& options);
   ~RandomEnsemble();
   RandomEnsemble(RandomEnsemble&&) noexcept;
   RandomEnsemble& operator=(RandomEnsemble&&) noexcept;
@@ -75,6 +81,14 @@ class RandomEnsemble {
 
   /// Of all members so far. In lanes, orders are computed up to the largest degree in a block of members, for all.
   Work work() const;
+
+  /// The orders of the forces that a step of a member computes by itself, on average over the steps of all so far; 0
+  /// before the first: what the method costs, the same in lanes and one by one. Of Taylor's method of degree N: N, or N
+  /// - 1 with `derivative`.
+  double mean_orders() const;
+
+  /// The memory that an ensemble of this method keeps for each member [bytes], to some 10 %.
+  static double bytes_of_a_member(const System<double>& system, const SeriesMethod& method);
 
   class Members;
 

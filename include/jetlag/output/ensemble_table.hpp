@@ -29,7 +29,7 @@ struct Calibration {
   double spread = not_known;               // of the members about their mean
   double member_error = not_known;         // members - reference, over the members too
   double mean_error = not_known;           // mean of the members - reference
-  double deterministic_error = not_known;  // run of a fixed degree at the same cost - reference
+  double deterministic_error = not_known;  // run of a fixed degree, its steps at the same cost - reference
 };
 
 struct EnsembleFrame {
@@ -53,9 +53,11 @@ struct EnsembleResult {
   std::vector<EnsembleFrame> frames;
   std::size_t members = 0;
   std::vector<Failure> failures;
-  double perturbation = 0;  // [m]
-  Work work;                // of all members
-  int deterministic_degree = 0;
+  double perturbation = 0;       // [m]
+  Work work;                     // of all members
+  double mean_orders = 0;        // of the forces, that a step of a member computes by itself
+  int deterministic_degree = 0;  // of the run at the same cost; 0: no member has taken a step
+  Work deterministic_work;
   std::string reference_message,
       deterministic_message;  // why there is none from some frame on; empty: there is
   bool in_lanes = false;

@@ -29,16 +29,20 @@ struct EnsembleHooks {
 };
 
 /// Runs the members of a scene from frame to frame and keeps what they amount to at each, on the polynomials of the
-/// motion: nothing else is kept. Member i draws with member_seed(scene.seed, i). Beside them run the reference and the run of a fixed
-/// degree that Calibration speaks of.
+/// motion: nothing else is kept. Member i draws with member_seed(scene.seed, i). Beside them runs the
+/// reference, and after them, where they were not stopped, the run of a fixed degree that Calibration speaks of.
 /// A member that fails is left out from then on; the ensemble fails when all have.
 /// Throws SceneError naming the option or the key: a scene whose members would all be the same, an integrator that is not a
-/// series, a fixed step longer than from frame to frame, a number out of range, what does not exist or does not fit into memory.
+/// series, a number out of range, what does not exist or does not fit into memory.
 EnsembleResult run_ensemble(const Scene& scene, const EnsembleOptions& options,
                             const EnsembleHooks& hooks = {});
 
-/// As above, and leaves in `folder`: scene.json, ensemble.csv, ensemble.json and where gnuplot is there ensemble.svg.
-/// What an earlier run left there under these names is replaced. warnings: what could not be drawn.
+/// The memory that takes, by and large [bytes]: members, what they amount to at each frame, and the table of it.
+/// Throws SceneError as above for a scene that makes no ensemble.
+double bytes_needed(const Scene& scene, const EnsembleOptions& options);
+
+/// As run_ensemble, and leaves in `folder`: scene.json, ensemble.csv, ensemble.json and where gnuplot is there
+/// ensemble.svg. What an earlier run left there under these names is replaced. warnings: what could not be drawn.
 /// Throws std::runtime_error naming a file that cannot be written.
 EnsembleResult run_ensemble_into(const Scene& scene, const EnsembleOptions& options,
                                  const std::filesystem::path& folder, const EnsembleHooks& hooks,

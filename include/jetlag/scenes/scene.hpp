@@ -46,9 +46,11 @@ struct Scene {
   /// What taylor and random_taylor are made of; nothing for other integrators.
   std::optional<SeriesMethod> series;
 
-  /// For `check`: the step, when it is the same every time, and the orders of the series that a step needs on average.
+  /// For `check`: the step, when it is the same every time, and the orders of the forces that a step computes on
+  /// average; of a sequential law, whose degrees depend on the motion, a lower bound.
   std::optional<double> fixed_step;
   double mean_orders = 0;
+  bool orders_at_least = false;
 };
 
 /// A scene from JSON text. source: what to call it in messages. folder: where relative mesh files are looked for.
