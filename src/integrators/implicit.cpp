@@ -146,6 +146,7 @@ bool ImplicitMethod::solve(const Equations& equations, double begin, Coordinates
     } else {
       d = bicgstab(multiply, residual, 2 * n);
     }
+    other_element_coefficients_ = solver_->element_coefficients();
     if (!d.allFinite()) break;
     u -= d;
     const double change = largest(d), size = largest(u),

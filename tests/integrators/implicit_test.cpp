@@ -120,6 +120,17 @@ TEST(Implicit, LargeScenesAreSolvedWithoutAMatrix) {
   EXPECT_NEAR(energy(state).total() / energy(start).total(), 1, 1e-12);  // 20 steps, each to 2 eps
 }
 
+TEST(Implicit, CountsTheElementsOfItsJacobian) {
+  // A linear force of one element and one unknown: where the step begins; then twice, as the second change is rounding,
+  // the force and one column.
+  const Scene scene = oscillator();
+  ImplicitMidpoint method(scene.system, 0.25);
+  State<double> state = scene.start;
+  Report report;
+  method.step(state, 1.0, report);
+  EXPECT_EQ(method.work().element_coefficients, 1u + 2 * 2);
+}
+
 TEST(Implicit, RefusesAStepThatIsNotPositive) {
   const Scene scene = oscillator();
   EXPECT_THROW(ImplicitMidpoint(scene.system, 0.0), std::invalid_argument);
