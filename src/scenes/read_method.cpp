@@ -8,11 +8,15 @@
 #include "jetlag/control/jorba_zou.hpp"
 #include "jetlag/control/last_two.hpp"
 #include "jetlag/control/variance_target.hpp"
+#include "jetlag/integrators/conrad.hpp"
 #include "jetlag/integrators/dop853.hpp"
 #include "jetlag/integrators/dopri5.hpp"
+#include "jetlag/integrators/exponential_step.hpp"
 #include "jetlag/integrators/gauss_radau.hpp"
 #include "jetlag/integrators/hermite.hpp"
+#include "jetlag/integrators/implicit.hpp"
 #include "jetlag/integrators/leapfrog.hpp"
+#include "jetlag/integrators/random_step.hpp"
 #include "jetlag/integrators/rk4.hpp"
 #include "jetlag/integrators/symplectic_euler.hpp"
 #include "jetlag/integrators/taylor.hpp"
@@ -331,6 +335,55 @@ IntegratorFactory read_hermite(const MethodArguments& arguments) {
   });
 }
 
+template <class M>
+IntegratorFactory read_implicit(const MethodArguments& arguments) {
+  arguments.integrator.only({"type"});
+  const double step = read_step_without_courant(arguments);
+  return one_step_method(arguments, 4.0,
+                         [system = arguments.system, step] { return std::make_unique<M>(*system, step); });
+}
+
+/// "inner": a deterministic method, for steps of any length.
+IntegratorFactory read_inner(const MethodArguments& arguments);
+
+IntegratorFactory read_conrad(const MethodArguments& arguments) {
+  const Value& integrator = arguments.integrator;
+  integrator.only({"type", "inner", "order", "sigma"});
+  Conrad::Options options;
+  options.step = read_step_without_courant(arguments);
+  options.order = integrator.at("order").number(positive);
+  options.sigma = integrator.at("sigma", 1.0).number(positive);
+  options.seed = arguments.seed;
+  const auto inner = read_inner(arguments);
+  return one_step_method(arguments, inner.mean_orders,
+                         [system = arguments.system, options, make = inner.make] {
+                           return std::make_unique<Conrad>(*system, make(), options);
+                         });
+}
+
+IntegratorFactory read_random_step(const MethodArguments& arguments) {
+  const Value& integrator = arguments.integrator;
+  integrator.only({"type", "inner", "order", "distribution"});
+  RandomStep::Options options;
+  options.step = read_step_without_courant(arguments);
+  options.order = integrator.at("order").number({0.5, infinite, false, false, "a number > 0.5"});
+  const std::string name = integrator.at("distribution", "uniform").one_of(names_of_step_distributions);
+  options.distribution = name == "uniform" ? StepDistribution::uniform : StepDistribution::lognormal;
+  options.seed = arguments.seed;
+  const auto inner = read_inner(arguments);
+  return one_step_method(arguments, inner.mean_orders, [options, make = inner.make] {
+    return std::make_unique<RandomStep>(make(), options);
+  });
+}
+
+IntegratorFactory read_exponential_step(const MethodArguments& arguments) {
+  arguments.integrator.only({"type"});
+  const double step = read_step_without_courant(arguments);
+  return one_step_method(arguments, 1.0, [system = arguments.system, step, seed = arguments.seed] {
+    return std::make_unique<ExponentialStep>(*system, step, seed);
+  });
+}
+
 struct IntegratorReader {
   const char* type;
   IntegratorFactory (*read)(const MethodArguments&);
@@ -345,7 +398,26 @@ constexpr IntegratorReader integrators[] = {{"taylor", read_taylor},
                                             {"dopri5", read_embedded<dopri5>},
                                             {"dop853", read_embedded<dop853>},
                                             {"gauss_radau", read_gauss_radau},
-                                            {"hermite", read_hermite}};
+                                            {"hermite", read_hermite},
+                                            {"implicit_midpoint", read_implicit<ImplicitMidpoint>},
+                                            {"newmark", read_implicit<Newmark>},
+                                            {"conrad", read_conrad},
+                                            {"random_step", read_random_step},
+                                            {"exponential_step", read_exponential_step}};
+
+IntegratorFactory read_inner(const MethodArguments& arguments) {
+  const Value inner = arguments.integrator.at("inner");
+  if (!inner.is_object()) inner.refuse("an object with a type");
+  std::vector<IntegratorReader> deterministic;
+  for (const auto& reader : integrators)
+    if (const std::string type = reader.type;
+        type != "random_taylor" && type != "conrad" && type != "random_step" && type != "exponential_step")
+      deterministic.push_back(reader);
+  Json any_length = {{"type", "fixed"}, {"step", 1e300}};
+  const Value control(any_length, "control");
+  return chosen(inner, deterministic)
+      .read({inner, control, arguments.system, arguments.seed, arguments.threads});
+}
 
 }  // namespace
 

@@ -173,8 +173,9 @@ TEST(Work, IsThatOfTheDrawnDegreesWhereAControlForecastsTheTail) {
   const Scene scene = spring_cube(3);
   const Work work = work_of(scene.system, scene.start, geometric(3, 9, 0.5),
                             std::make_unique<VarianceTarget>(0.125, 0.125, 1e-3, 1e-3), {}, 100);
-  EXPECT_EQ(work.element_coefficients * 8, work.degrees * 28);  // the control reads x_4, which K = 3 needs as well
-  EXPECT_LT(work.mean_degree(), 5.0);                           // 3.98 + 5 sqrt(1.9 / 100) at most
+  EXPECT_EQ(work.element_coefficients * 8,
+            work.degrees * 28);        // the control reads x_4, which K = 3 needs as well
+  EXPECT_LT(work.mean_degree(), 5.0);  // 3.98 + 5 sqrt(1.9 / 100) at most
 }
 
 TEST(Work, IsTheMeanDegreeWithOneDrawForAll) {

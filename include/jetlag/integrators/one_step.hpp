@@ -32,6 +32,7 @@ class OneStep : public Integrator {
 
   Accelerations accelerations_;
   Work work_;
+  std::uint64_t other_element_coefficients_ = 0;  // computed by the method itself
 
  private:
   int order_, moving_;

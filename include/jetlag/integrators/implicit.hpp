@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Implicit methods for stiff systems: the midpoint rule and Newmark's method, solved to rounding by Newton's method with
+// the exact Jacobian of the forces.
+//
+// The Jacobian comes from the tape: coefficient 1 of the forces along x(t) = x + t u, v(t) = v + t w is its product with
+// (u, w), for one order of every element. Up to `dense_unknowns` components the matrix is assembled column by column and
+// factored; beyond, the equations are solved by BiCGSTAB with such products.
+
+#include <memory>
+
+#include "jetlag/integrators/one_step.hpp"
+
+namespace jetlag {
+
+class NewtonSolver;
+
+/// What both have in common. The equations of a step:  u = g + r a(t_s, x_s + p u, v_s + q u),  with one unknown u for
+/// each component.
+class ImplicitMethod : public OneStep {
+ public:
+  ~ImplicitMethod() override;
+  static constexpr int dense_unknowns = 96;
+
+ protected:
+  ImplicitMethod(const System<double>& system, double step);
+  struct Equations {
+    Coordinates<double> g;
+    double r;
+    State<double> stage;  // t_s, x_s, v_s
+    double p, q;
+  };
+  /// Solves them from a guess. False with a report where Newton's method does not converge.
+  bool solve(const Equations& equations, double begin, Coordinates<double>& u, Report& report);
+
+  double step_;
+
+ private:
+  std::unique_ptr<NewtonSolver> solver_;
+};
+
+/// y_1 = y_0 + h f(t + h/2, (y_0 + y_1)/2).   Order 2, symmetric, symplectic, A-stable; conserves quadratic invariants
+/// (momentum, angular momentum) to rounding; damping and forces that depend on time are welcome.
+/// Solved for the mean velocity w:  w = v_0 + h/2 a(x_0 + h/2 w, w),  x_1 = x_0 + h w,  v_1 = 2 w - v_0.
+/// Source: [HLW06] II.1.3, VI.4.
+class ImplicitMidpoint final : public ImplicitMethod {
+ public:
+  /// step [s], > 0. Throws std::invalid_argument.
+  ImplicitMidpoint(const System<double>& system, double step) : ImplicitMethod(system, step) {}
+  /// A parabola in the position, a line in the velocity: errors of O(h^3) and O(h^2) within a step.
+  Piece piece() const override;
+
+ private:
+  double advance(const State<double>& from, double limit, State<double>& to, Report& report) override;
+};
+
+/// x_1 = x_0 + h v_0 + h^2/4 (a_0 + a_1),   v_1 = v_0 + h/2 (a_0 + a_1):  beta = 1/4, gamma = 1/2, the mean acceleration.
+/// Order 2, symmetric, A-stable; on linear systems it conserves the energy.
+/// Source: Newmark, J. Eng. Mech. Div. ASCE 85 (1959) 67.
+class Newmark final : public ImplicitMethod {
+ public:
+  /// step [s], > 0. Throws std::invalid_argument.
+  Newmark(const System<double>& system, double step) : ImplicitMethod(system, step) {}
+  /// As for the midpoint rule: the mean acceleration.
+  Piece piece() const override;
+
+ private:
+  double advance(const State<double>& from, double limit, State<double>& to, Report& report) override;
+};
+
+}  // namespace jetlag
