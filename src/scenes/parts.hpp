@@ -44,8 +44,8 @@ struct Method {
   int threads;
   std::optional<double> fixed_step;
   double mean_orders;
-  bool at_least;
   int largest_degree;
+  bool at_least = false;  // mean_orders is a lower bound
 };
 Method read_method(const Value& scene, std::shared_ptr<const System<double>> system, std::uint64_t seed);
 

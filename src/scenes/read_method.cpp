@@ -138,8 +138,8 @@ VelocitySeries read_velocity_series(const Value& integrator) {
 struct IntegratorFactory {
   std::function<std::unique_ptr<Integrator>()> make;
   double mean_orders;
-  bool at_least;  // mean_orders is a lower bound
   int largest_degree;
+  bool at_least = false;  // mean_orders is a lower bound
   std::optional<SeriesMethod> series{};
 };
 
@@ -193,10 +193,10 @@ IntegratorFactory series_method(const MethodArguments& arguments, Truncation law
   return {[system = arguments.system, law, model, options] {
             return std::make_unique<RandomTaylor>(*system, law, model->clone(), options);
           },
-          mean_orders(known, options, *arguments.system, read),
+          mean_orders(known, options, *arguments.system, read), known.max_degree(),
           std::holds_alternative<SequentialLaw>(law) &&
               read <= known.max_degree() - (options.velocity == VelocitySeries::own_series ? 0 : 1),
-          known.max_degree(), SeriesMethod{law, options, model}};
+          SeriesMethod{law, options, model}};
 }
 
 IntegratorFactory read_taylor(const MethodArguments& arguments) {
@@ -263,8 +263,7 @@ IntegratorFactory read_leapfrog(const MethodArguments& arguments) {
   double step = read_step(arguments);
   if (const auto courant = read_courant(arguments.control, *arguments.system))
     step = std::min(step, courant->first * 2.0 / courant->second);
-  return {[system = arguments.system, step] { return std::make_unique<Leapfrog>(*system, step); }, 1.0, false,
-          2};
+  return {[system = arguments.system, step] { return std::make_unique<Leapfrog>(*system, step); }, 1.0, 2};
 }
 
 IntegratorFactory read_symplectic_euler(const MethodArguments& arguments) {
@@ -449,8 +448,8 @@ Method read_method(const Value& scene, std::shared_ptr<const System<double>> sys
           threads,
           fixed_step,
           method.mean_orders,
-          method.at_least,
-          method.largest_degree};
+          method.largest_degree,
+          method.at_least};
 }
 
 }  // namespace jetlag

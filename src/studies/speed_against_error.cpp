@@ -58,7 +58,9 @@ Row run(const TestProblem& problem, const Competitor& competitor, double step, i
   double squares = 0, energy_squares = 0;
   for (int seed = 1; seed <= (competitor.random ? seeds : 1); ++seed) {
     Json copy = json;
-    const Method method = read_method(Value(copy, ""), problem.system, static_cast<std::uint64_t>(seed));
+    const Value scene(copy, "");
+    scene.only({"integrator", "control", "schedule"});
+    const Method method = read_method(scene, problem.system, static_cast<std::uint64_t>(seed));
     const auto schedule = method.schedule();
     State<double> state = problem.initial;
     const double start = processor_seconds();

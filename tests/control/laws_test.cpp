@@ -66,7 +66,7 @@ const std::vector<Member> members = {
      }},
     {"VarianceTarget",
      [](const TruncationLaw&, double error, double max_step, double unit) {
-       return std::make_unique<VarianceTarget>(0.1 * unit, max_step, error, error);
+       return std::make_unique<VarianceTarget>(std::min(0.1 * unit, max_step), max_step, error, error);
      }},
 };
 const std::vector<TruncationLaw> truncations = {geometric(3, 6, 0.5), geometric(4, 16, 0.25), fixed_degree(6),

@@ -21,10 +21,10 @@ using testing::Ge;
 using testing::HasSubstr;
 using testing::Le;
 
-using Clocks = Scratch;
+using ClocksOfARun = Scratch;
 using Tree = boost::property_tree::ptree;
 
-TEST_F(Clocks, AreATableOfUpdates) {
+TEST_F(ClocksOfARun, AreATableOfUpdates) {
   ClockTable clocks({false, true, false});
   clocks.add({0, 0.0, 0.5, 3});
   clocks.add({1, 0.0, 0.5, 3});  // fixed
@@ -37,7 +37,7 @@ TEST_F(Clocks, AreATableOfUpdates) {
   EXPECT_THAT(clocks.degree(), ElementsAre(3, 0, 4));
 }
 
-TEST_F(Clocks, KeepEverySecondFourthEighthUpdateOfEachParticleInLongRuns) {
+TEST_F(ClocksOfARun, KeepEverySecondFourthEighthUpdateOfEachParticleInLongRuns) {
   // Particle 0 is updated three times as often as particle 1: both are thinned alike, and none of both is lost.
   ClockTable clocks({false, false});
   constexpr int n = 450'000;
@@ -56,7 +56,7 @@ TEST_F(Clocks, KeepEverySecondFourthEighthUpdateOfEachParticleInLongRuns) {
   EXPECT_THAT(next[1], Ge(n));
 }
 
-TEST_F(Clocks, AreDrawnAsABarForEachStepColouredByItsLength) {
+TEST_F(ClocksOfARun, AreDrawnAsABarForEachStepColouredByItsLength) {
   if (!can_draw()) GTEST_SKIP() << "gnuplot is not installed";
   ClockTable clocks({false, true, false});
   clocks.add({0, 0.0, 4.0, 3});

@@ -38,7 +38,7 @@ TEST(Uniform, LiesAboveZeroAndUpToOne) {
     largest = std::max(largest, u);
     ASSERT_GT(u, 0.0);
     ASSERT_LE(u, 1.0);
-    ASSERT_EQ(std::fmod(u * 0x1p53, 1.0), 0.0);  // a multiple of 2^-53
+    ASSERT_EQ(std::fmod(u * 0x1p64, 1.0), 0.0);  // a multiple of 2^-64
   }
   // The chance that a million numbers leave a gap of 14e-6 at an end is e^-14 < 1e-6.
   EXPECT_LT(least, 14e-6);

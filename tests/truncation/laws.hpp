@@ -48,7 +48,7 @@ inline std::vector<LawAndTerms> laws() {
           {TruncationLaw("tail", {1, 1, 0.9, 0.9, 0.3, 0.2, 0.01}), e},
           {variance_capped(e, 1e-3), e},
           {sequential(2, 16, 0.05).given(e), e},
-          {bhanot_kennedy(0.5, 16).given(small), small},
+          {bhanot_kennedy(0.5, 15).given(small), small},
           {single_term(geometric(3, 8, 0.5)), e},
           {single_term(poisson(2, 8, 2.0)), e}};
 }
