@@ -11,5 +11,6 @@ BuiltInScene ellipse();
 BuiltInScene two_body();
 BuiltInScene cloth();
 BuiltInScene chain();
+BuiltInScene stiff_spot();
 
 }  // namespace jetlag
