@@ -55,6 +55,20 @@ std::vector<Competitor> competitors() {
     all.push_back(random("sequential", fmt::format("m = 3, target {:.0e}", target), 3,
                          {{"law", "sequential"}, {"target", target}}));
 
+  // What one would take otherwise.
+  for (const char* type : {"leapfrog", "rk4", "hermite", "dopri5", "dop853", "gauss_radau"})
+    all.push_back({"other methods", type, {{"type", type}}, fixed_step});
+  for (const char* type : {"dopri5", "dop853", "gauss_radau"})
+    for (int digits : {3, 5, 7, 9, 11}) {
+      const double tolerance = std::pow(10.0, -digits);
+      all.push_back({"other methods",
+                     fmt::format("{}, tolerance {:.0e}", type, tolerance),
+                     {{"type", type}},
+                     {{"type", "embedded"}, {"tolerance", tolerance}},
+                     false,
+                     false});
+    }
+
   // Steps that are chosen.
   all.push_back({"jorba_zou",
                  "jorba_zou",
