@@ -13,6 +13,8 @@
 #include <limits>
 #include <numbers>
 
+#include "jetlag/truncation/draws.hpp"
+
 namespace jetlag::testing {
 namespace {
 
