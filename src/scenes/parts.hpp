@@ -2,6 +2,7 @@
 #pragma once
 // The parts of a scene file, each read by a file of its own.
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -36,6 +37,16 @@ inline constexpr int largest_degree = 256;
 Truncation read_truncation(const Value& integrator);
 Draw read_draws(const Value& integrator, const Truncation& law, bool shared_draw, int particles);
 
+/// "control", for a law of its integrator.
+std::unique_ptr<Control> read_control(const Value& control, const TruncationLaw& law, VelocitySeries velocity,
+                                      const System<double>& system);
+/// Whether it is "fixed". Refuses a type that does not exist.
+bool is_fixed(const Value& control);
+/// "max_step" [s], infinite where it is left out.
+double read_max_step(const Value& control);
+/// The fraction of the Courant limit, if asked for, and the fastest frequency it refers to.
+std::optional<std::pair<double, double>> read_courant(const Value& control, const System<double>& system);
+
 /// "integrator", "control" and "schedule" together.
 struct Method {
   std::function<std::unique_ptr<Schedule>()> schedule;
@@ -64,6 +75,15 @@ auto checked(const Value& value, F f) {
   } catch (const std::invalid_argument& error) {
     value.refuse(std::string("such that it works: ") + error.what());
   }
+}
+
+/// The member of a register that "type" names.
+template <class Readers>
+const auto& chosen(const Value& value, const Readers& readers) {
+  std::vector<std::string> types;
+  for (const auto& reader : readers) types.push_back(reader.type);
+  const std::string type = value.at("type").one_of(types);
+  return *std::ranges::find(readers, type, [](const auto& reader) { return std::string(reader.type); });
 }
 
 }  // namespace jetlag

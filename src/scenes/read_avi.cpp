@@ -11,8 +11,6 @@ namespace jetlag {
 
 namespace {
 
-const Range fraction{0, 1, false, true, "a number > 0 and <= 1"};
-
 /// "step": one for all elements, or one for each force of the scene.
 ElementSteps read_steps(const Value& step, const System<double>& system) {
   const auto of_force = step.numbers(system.elements().size(), positive, "force");

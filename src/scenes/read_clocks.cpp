@@ -66,12 +66,10 @@ void read_steps(const Value& scene, const Value& schedule, const System<double>&
     }
   }
   if (const auto control = scene.find("control"))
-    if (const auto courant = control->find("courant")) {
-      const double safety = courant->number({0, 1, false, true, "a number > 0 and <= 1"});
-      if (frequency_bound(system) == 0)
-        courant->refuse("left out: no force of this scene has a stiffness that limits the step");
-      checked(*courant, [&] { return courant_steps_of_particles(system, law, options.velocity, safety); });
-      options.courant = safety;
+    if (const auto courant = read_courant(*control, system)) {
+      options.courant = courant->first;
+      checked(control->at("courant"),
+              [&] { return courant_steps_of_particles(system, law, options.velocity, options.courant); });
     }
   if (const auto most = schedule.find("max_step")) options.max_step = most->number(positive);
   options.tolerance = schedule.at("tolerance", tolerance).number(positive);

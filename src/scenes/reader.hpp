@@ -32,6 +32,7 @@ struct Range {
 inline constexpr double infinite = std::numeric_limits<double>::infinity();
 inline constexpr Range any_number{-infinite, infinite, false, false, "a finite number"};
 inline constexpr Range positive{0, infinite, false, false, "a number > 0"};
+inline constexpr Range fraction{0, 1, false, true, "a number > 0 and <= 1"};
 inline constexpr Range non_negative{0, infinite, true, false, "a number >= 0"};
 
 /// A value and its path.

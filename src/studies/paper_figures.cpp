@@ -16,6 +16,7 @@
 #include "output/gnuplot.hpp"
 #include "output/support.hpp"
 #include "scenes/reader.hpp"
+#include "studies/struck_body.hpp"
 
 namespace jetlag {
 
@@ -136,16 +137,8 @@ struct Curve {
 
 /// The body at rest, without gravity, struck: all velocities normal with deviation 1 m/s.
 Scene body_scene(int min_degree, int max_degree, double friction, const Arguments& arguments) {
-  Json particles = {{"mass", 1.0}, {"velocity", {{"normal", 1.0}}}};
-  if (arguments.mesh.empty()) {
-    particles["ellipsoid"] = {{"radii", {0.8, 1.2, 0.8}}, {"cells", {8, 8}}, {"cut", {0.9, 0.95}}};
-    particles["fix_below"] = 0.0;
-  } else {
-    particles["mesh"] = std::filesystem::absolute(arguments.mesh).string();
-    particles["fix_below"] = 3.0;
-  }
   const Json scene = {{"dimension", 3},
-                      {"particles", particles},
+                      {"particles", struck_body(arguments.mesh)},
                       {"forces",
                        {{{"type", "spring"}, {"pairs", "edges"}, {"stiffness", 5000.0}},
                         {{"type", "drag"}, {"coefficient", friction}}}},

@@ -11,6 +11,7 @@
 
 #include "jetlag/output/files.hpp"
 #include "jetlag/scenes/run_scene.hpp"
+#include "studies/struck_body.hpp"
 
 namespace jetlag {
 
@@ -38,14 +39,6 @@ constexpr Row rows[] = {{6, 1.0, true}, {3, 1.0, true}, {6, 1.0, false}, {3, 1.0
 /// The body at rest, without gravity, struck: all velocities normal with deviation 1 m/s. The paper does not state its
 /// step; 0.005 s is that of the assignment it began with.
 Json scene_of(const Row& row, const Arguments& arguments) {
-  Json particles;
-  if (arguments.mesh.empty())
-    particles = {{"ellipsoid", {{"radii", {0.8, 1.2, 0.8}}, {"cells", {8, 8}}, {"cut", {0.9, 0.95}}}},
-                 {"fix_below", 0.0}};
-  else
-    particles = {{"mesh", std::filesystem::absolute(arguments.mesh).string()}, {"fix_below", 3.0}};
-  particles["mass"] = 1.0;
-  particles["velocity"] = {{"normal", 1.0}};
   Json control = {{"type", "fixed"}, {"step", arguments.step}};
   if (row.adaptive)
     control = {{"type", "halve_double"},
@@ -56,7 +49,7 @@ Json scene_of(const Row& row, const Arguments& arguments) {
   return {
       {"name", "paper table"},
       {"dimension", 3},
-      {"particles", particles},
+      {"particles", struck_body(arguments.mesh)},
       {"forces",
        {{{"type", "spring"}, {"pairs", "edges"}, {"stiffness", 5000.0}},
         {{"type", "drag"}, {"coefficient", row.friction}}}},

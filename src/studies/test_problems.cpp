@@ -14,6 +14,7 @@
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/schedule/lockstep.hpp"
 #include "studies/reference_problems.hpp"
+#include "studies/struck_body.hpp"
 
 namespace jetlag {
 
@@ -125,13 +126,9 @@ TestProblem of_built_in(const char* scene, const std::vector<std::string>& setti
   return problem_of(load_scene(scene, settings));
 }
 
-constexpr const char* struck_body =
-    R"(particles={"ellipsoid": {"radii": [0.8, 1.2, 0.8], "cells": [8, 8], "cut": [0.9, 0.95]},
-       "fix_below": 0.0, "mass": 1.0, "velocity": {"normal": 1.0}})";
-
 TestProblem body_of_friction(const char* friction) {
   return of_built_in("body",
-                     {struck_body,
+                     {"particles=" + struck_body({}).dump(),
                       std::string(R"(forces=[{"type": "spring", "pairs": "edges", "stiffness": 5000.0},
                                             {"type": "drag", "coefficient": )") +
                           friction + "}]",

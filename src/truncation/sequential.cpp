@@ -18,7 +18,6 @@ SequentialLaw::SequentialLaw(std::string name, int min_degree, int max_degree, d
                                 std::to_string(min_) + ", got " + std::to_string(max_));
   if (!(least_ > 0.0 && least_ <= 1.0))
     throw std::invalid_argument(name_ + ": least must be in (0, 1], got " + std::to_string(least_));
-  lower_bound();  // refuses weights that may overflow
 }
 
 double SequentialLaw::go_on(int n, std::span<const double> sizes, double weight) const {

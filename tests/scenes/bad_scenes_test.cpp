@@ -162,6 +162,8 @@ const BadScene bad_scenes[] = {
     {"ConradWithoutInner", "/integrator", R"({"type": "conrad", "order": 2})", "integrator.inner", "missing"},
     {"ConradInConrad", "/integrator", R"({"type": "conrad", "order": 2, "inner": {"type": "conrad"}})",
      "integrator.inner.type", "got \"conrad\""},
+    {"ConradAroundAvi", "/integrator", R"({"type": "conrad", "order": 2, "inner": {"type": "avi"}})",
+     "integrator.inner.type", "got \"avi\""},
     {"RandomStepOfLowOrder", "/integrator",
      R"({"type": "random_step", "order": 0.5, "inner": {"type": "rk4"}})", "integrator.order", "> 0.5"},
     {"RandomStepOfASecond", "",
