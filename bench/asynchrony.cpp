@@ -4,17 +4,23 @@
 //
 //   BM_Asynchrony/<scene>/<degree>   lockstep_over_block: time, one thread; elements_over: element coefficients;
 //                                    error_over: error of block steps over that of lockstep
+//   BM_AgainstLeapfrog/<digits>      the stiff patch to an error of 10^-digits m: leapfrog_over_block: time, each with the
+//                                    coarsest of its settings that is as accurate: steps of leapfrog 2^(-1/4) apart,
+//                                    tolerances 10^(-1/4) apart for degrees 4, 6, 8, 10; and the errors of both
 //   BM_EventQueue/<clocks>           the time of one event
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <limits>
 #include <numbers>
 
 #include "benchmarks.hpp"
+#include "jetlag/control/courant.hpp"
 #include "jetlag/control/fixed_step.hpp"
 #include "jetlag/control/last_two.hpp"
 #include "jetlag/forces/spring.hpp"
+#include "jetlag/integrators/leapfrog.hpp"
 #include "jetlag/schedule/block.hpp"
 #include "jetlag/schedule/event_queue.hpp"
 #include "jetlag/schedule/lockstep.hpp"
@@ -144,6 +150,59 @@ void asynchrony(benchmark::State& run, Uneven (*make)(), int degree, double tole
   run.counters["lockstep_over_block"] = one_clock / many;
 }
 
+double largest_error(const State<double>& a, const State<double>& b) {
+  const double error = (a.position - b.position).cwiseAbs().maxCoeff();
+  return std::isfinite(error) ? error : std::numeric_limits<double>::infinity();
+}
+
+/// The first of the settings 0, 1, .. whose error is at most `target`.
+template <class Make>
+double first_accurate(const Uneven& scene, const State<double>& truth, double target, const Make& make) {
+  for (int setting = 0;; ++setting)
+    if (largest_error(measured(scene, [&] { return make(setting); }).end, truth) <= target) return setting;
+}
+
+void against_leapfrog(benchmark::State& run, int digits) {
+  const Uneven scene = cloth_with_a_stiff_patch();
+  const double target = std::pow(10.0, -digits);
+  const State<double> truth =
+      measured(scene, [&] {
+        return Lockstep(taylor(scene.system, 20, std::make_unique<FixedStep>(scene.exact_step)));
+      }).end;
+  const double limit = 2 / frequency_bound(scene.system);
+  const auto leapfrog = [&](int setting) {
+    return Lockstep(std::make_unique<Leapfrog>(scene.system, limit * std::exp2(-0.25 * setting)));
+  };
+  struct Clocks {
+    int degree, setting;
+    double seconds;
+  };
+  std::vector<Clocks> candidates;
+  const auto block = [&](int degree, int setting) {
+    BlockSteps::Options options;
+    options.tolerance = target * std::pow(10.0, 1 - 0.25 * setting);
+    options.max_step = scene.max_step;
+    return BlockSteps(scene.system, degree, options);
+  };
+  const int steps = first_accurate(scene, truth, target, leapfrog);
+  for (int degree : {4, 6, 8, 10}) {
+    const int setting = first_accurate(scene, truth, target, [&](int n) { return block(degree, n); });
+    candidates.push_back({degree, setting, measured(scene, [&] { return block(degree, setting); }).seconds});
+  }
+  const Clocks best = *std::ranges::min_element(candidates, {}, &Clocks::seconds);
+  double one_clock = std::numeric_limits<double>::infinity(), many = one_clock;
+  for (auto _ : run) {
+    const Measured a = measured(scene, [&] { return leapfrog(steps); }),
+                   b = measured(scene, [&] { return block(best.degree, best.setting); });
+    one_clock = std::min(one_clock, a.seconds);
+    many = std::min(many, b.seconds);
+    run.counters["error_leapfrog"] = largest_error(a.end, truth);
+    run.counters["error_block"] = largest_error(b.end, truth);
+  }
+  run.counters["degree"] = best.degree;
+  run.counters["leapfrog_over_block"] = one_clock / many;
+}
+
 /// Each event: the earliest clock is set to a later time, of up to 64 steps of the shortest.
 void event_queue(benchmark::State& run, int clocks) {
   EventQueue queue(clocks);
@@ -177,6 +236,10 @@ void register_asynchrony() {
     benchmark::RegisterBenchmark(
         ("BM_Asynchrony/" + std::string(c.name) + "/" + std::to_string(c.degree)).c_str(), asynchrony, c.make,
         c.degree, c.tolerance)
+        ->Unit(benchmark::kMillisecond);
+  for (int digits : {3, 6})
+    benchmark::RegisterBenchmark(("BM_AgainstLeapfrog/" + std::to_string(digits)).c_str(), against_leapfrog,
+                                 digits)
         ->Unit(benchmark::kMillisecond);
   for (int clocks : {1000, 100000})
     benchmark::RegisterBenchmark(("BM_EventQueue/" + std::to_string(clocks)).c_str(), event_queue, clocks);

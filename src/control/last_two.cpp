@@ -41,33 +41,27 @@ LastTwo::LastTwo(double tolerance, double max_step) : tolerance_(tolerance), max
   require_positive("max_step", max_step, true);
 }
 
-namespace {
-
-/// Whether last_two_step allows a step: its two rules without logarithms, for the many particles that do not decide.
-class Allowed {
- public:
-  Allowed(int degree, double tolerance, double h)
-      : degree_(degree), tolerance_(tolerance), h_(h), s_(h / 0.7) {
-    for (int i = 0; i < 2; ++i) power_[i] = std::pow(s_, degree - 1 + i);
+LastTwoAllows::LastTwoAllows(int degree, double tolerance, double h)
+    : degree_(degree), tolerance_(tolerance), h_(h), s_(h / 0.7) {
+  in_range_ = true;
+  for (int i = 0; i < 2; ++i) {
+    power_[i] = std::pow(s_, degree - 1 + i);
+    in_range_ = in_range_ && std::isnormal(power_[i]);
   }
-  bool operator()(const LastTwoSizes& c) const {
-    const bool drifts = c.first[0] * h_ * h_ <= 1e-6 * tolerance_;
-    const double force = s_ * s_ * std::max(2 * c.first[0], 6 * c.first[1] * s_);
-    for (int i = 0; i < 2; ++i) {
-      const int k = degree_ - 1 + i;
-      const double term = c.last[i] * power_[i];
-      if (k >= 1 && !(term <= tolerance_)) return false;
-      if (k > 3 && !drifts && !(k * (k - 1) * term <= force)) return false;
-    }
-    return true;
+}
+
+bool LastTwoAllows::operator()(const LastTwoSizes& c) const {
+  if (!in_range_) return last_two_step(c, tolerance_) >= h_;
+  const bool drifts = c.first[0] * h_ * h_ <= 1e-6 * tolerance_;
+  const double force = s_ * s_ * std::max(2 * c.first[0], 6 * c.first[1] * s_);
+  for (int i = 0; i < 2; ++i) {
+    const int k = degree_ - 1 + i;
+    const double term = c.last[i] * power_[i];
+    if (k >= 1 && !(term <= tolerance_)) return false;
+    if (k > 3 && !drifts && !(k * (k - 1) * term <= force)) return false;
   }
-
- private:
-  int degree_;
-  double tolerance_, h_, s_, power_[2];
-};
-
-}  // namespace
+  return true;
+}
 
 double LastTwo::propose(const Prospect& prospect) {
   const Expansion<double>& series = prospect.series;
@@ -85,7 +79,7 @@ double LastTwo::propose(const Prospect& prospect) {
     return most;
   };
   double h = max_step_ / unit;
-  Allowed allowed(degree, tolerance_, h);
+  LastTwoAllows allowed(degree, tolerance_, h);
   for (int i = 0; i < series.particles(); ++i) {
     const LastTwoSizes sizes{
         degree, {size(0, i), series.order() < 3 ? 0.0 : size(1, i)}, {size(2, i), size(3, i)}};
@@ -93,7 +87,7 @@ double LastTwo::propose(const Prospect& prospect) {
     const double own = last_two_step(sizes, tolerance_);
     if (!(own < h)) continue;
     h = own;
-    allowed = Allowed(degree, tolerance_, h);
+    allowed = LastTwoAllows(degree, tolerance_, h);
   }
   return std::min(h * unit, max_step_);
 }

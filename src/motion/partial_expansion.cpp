@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
+#include <cstring>
 
 namespace jetlag {
 
@@ -16,17 +17,52 @@ namespace {
 #define JETLAG_WIDE
 #endif
 
-constexpr int shift_width = 32;
+/// Eight numbers side by side, whatever the instruction set.
+using Eight [[gnu::vector_size(64)]] = double;
 
-/// taylor_shift (series/polynomial.hpp) of shift_width polynomials side by side: c[k][i] -> c[k][i] about s[i].
-JETLAG_WIDE void shift_side_by_side(int order, const double* __restrict s, double* c,
-                                    std::size_t next_order) {
-  for (int first = 0; first < order; ++first)
-    for (int k = order; k > first; --k) {
-      double* __restrict low = c + (k - 1) * next_order;
-      const double* __restrict high = c + k * next_order;
-      for (int i = 0; i < shift_width; ++i) low[i] += s[i] * high[i];
-    }
+/// Passes first .. first + passes - 1 of taylor_shift (series/polynomial.hpp),
+///
+///     pass p:   c_{k-1} += s c_k,   k = order .. p + 1,
+///
+/// for `width` polynomials side by side: c[k][i], s[i]. They go together, each one coefficient behind the one before,
+/// whose results it takes over; what is computed is the same.
+template <int width, int passes>
+[[gnu::always_inline]] inline void shift_passes(int order, int first, const double* s, double* c,
+                                                std::size_t next_order) {
+  constexpr int eights = width / 8;
+  Eight step[eights], sum[passes][eights];  // what each pass has computed last
+  std::memcpy(step, s, sizeof step);
+  for (auto& of_pass : sum) std::memcpy(of_pass, c + order * next_order, sizeof of_pass);
+  const auto advance = [&](int begun, int t) {
+    for (int p = begun - 1; p > 0; --p)
+      for (int i = 0; i < eights; ++i) sum[p][i] = sum[p - 1][i] + step[i] * sum[p][i];
+    Eight next[eights];
+    std::memcpy(next, c + (order - t - 1) * next_order, sizeof next);
+    for (int i = 0; i < eights; ++i) sum[0][i] = next[i] + step[i] * sum[0][i];
+  };
+  for (int t = 0; t < passes - 1; ++t) advance(t + 1, t);
+  for (int t = passes - 1; t < order - first; ++t) {
+    advance(passes, t);
+    std::memcpy(c + (order - t + passes - 2) * next_order, sum[passes - 1], sizeof sum[0]);
+  }
+  for (int p = 0; p < passes - 1; ++p) std::memcpy(c + (first + p) * next_order, sum[p], sizeof sum[0]);
+}
+
+template <int width>
+[[gnu::always_inline]] inline void shift(int order, const double* s, double* c, std::size_t next_order) {
+  int first = 0;
+  for (; first + 4 <= order; first += 4) shift_passes<width, 4>(order, first, s, c, next_order);
+  if (order - first == 3) shift_passes<width, 3>(order, first, s, c, next_order);
+  if (order - first == 2) shift_passes<width, 2>(order, first, s, c, next_order);
+  if (order - first == 1) shift_passes<width, 1>(order, first, s, c, next_order);
+}
+
+constexpr int wide = 32, narrow = 8;
+JETLAG_WIDE void shift_wide(int order, const double* s, double* c, std::size_t next_order) {
+  shift<wide>(order, s, c, next_order);
+}
+JETLAG_WIDE void shift_narrow(int order, const double* s, double* c, std::size_t next_order) {
+  shift<narrow>(order, s, c, next_order);
 }
 
 }  // namespace
@@ -90,7 +126,7 @@ void PartialExpansion::choose(std::span<const int> active, std::vector<int>& pla
     for (int i : *set) places[i] = -1;
 
   rows_ = active_.size() + 1 + known_.size();
-  const std::size_t size = (order_ + 1) * rows_ * stride_ + shift_width;
+  const std::size_t size = (order_ + 1) * rows_ * stride_;
   if (x_.size() < size) x_.resize(size);
   if (reads_velocity_ && v_.size() < size) v_.resize(size);
   push_.clear();
@@ -101,18 +137,20 @@ void PartialExpansion::shift_known(int order, const std::vector<double>& s) {
   shift_.clear();
   for (double of_row : s) shift_.insert(shift_.end(), stride_, of_row);
   const std::size_t size = shift_.size(), next_order = rows_ * stride_;
-  shift_.resize((size + shift_width - 1) / shift_width * shift_width, 0.0);
+  shift_.resize((size + narrow - 1) / narrow * narrow, 0.0);
   double* known = known_row(0, 0);
   std::size_t i = 0;
-  for (; i + shift_width <= size; i += shift_width)
-    shift_side_by_side(order, shift_.data() + i, known + i, next_order);
+  for (; i + wide <= size; i += wide) shift_wide(order, shift_.data() + i, known + i, next_order);
+  for (; i + narrow <= size; i += narrow) shift_narrow(order, shift_.data() + i, known + i, next_order);
   if (i == size) return;
   // What is left goes through a copy of full width.
-  copy_.assign((order + 1) * static_cast<std::size_t>(shift_width), 0.0);
+  copy_.resize((order + 1) * static_cast<std::size_t>(narrow));
+  const int left = static_cast<int>(size - i);
   for (int k = 0; k <= order; ++k)
-    std::copy(known + k * next_order + i, known + k * next_order + size, &copy_[k * shift_width]);
-  shift_side_by_side(order, shift_.data() + i, copy_.data(), shift_width);
-  for (int k = 0; k <= order; ++k) std::copy_n(&copy_[k * shift_width], size - i, known + k * next_order + i);
+    for (int j = 0; j < narrow; ++j) copy_[k * narrow + j] = j < left ? known[k * next_order + i + j] : 0.0;
+  shift_narrow(order, shift_.data() + i, copy_.data(), narrow);
+  for (int k = 0; k <= order; ++k)
+    for (int j = 0; j < left; ++j) known[k * next_order + i + j] = copy_[k * narrow + j];
 }
 
 void PartialExpansion::push(std::size_t law, int k, int orders, double time) {

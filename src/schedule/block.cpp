@@ -48,18 +48,26 @@ BlockSteps::Group& BlockSteps::group_from(int level) {
   auto& group = groups_[level];
   if (!group) group = std::make_unique<Group>(motion_->group());
   if (!group->is_current) {
-    std::vector<int> particles;
-    for (int l = level; l <= Ticks::finest; ++l)
-      particles.insert(particles.end(), of_level_[l].begin(), of_level_[l].end());
-    std::ranges::sort(particles);
-    group->expansion.choose(particles, motion_->places());
+    const auto& moving = motion_->moving();
+    std::size_t count = 0;
+    for (int l = level; l <= Ticks::finest; ++l) count += of_level_[l].size();
+    chosen_.clear();
+    if (count > moving.size() / 32) {
+      for (int i : moving)
+        if (level_[i] >= level) chosen_.push_back(i);
+    } else {
+      for (int l = level; l <= Ticks::finest; ++l)
+        chosen_.insert(chosen_.end(), of_level_[l].begin(), of_level_[l].end());
+      std::ranges::sort(chosen_);
+    }
+    group->expansion.choose(chosen_, motion_->places());
     group->is_current = true;
   }
   return *group;
 }
 
 bool BlockSteps::update(Report& report) {
-  const Ticks::Count now = next_;
+  const Ticks::Count now = now_ = next_;
   const int level = lowest_from(Ticks::coarsest(now));
   const bool all = level == lowest_from(0);
   Group* group = all ? nullptr : &group_from(level);
@@ -79,14 +87,15 @@ std::int64_t BlockSteps::step_of(int particle) const { return Ticks::step(level_
 /// Levels for those that have been updated: what their series ask for, within the rules.
 bool BlockSteps::choose_levels(const std::vector<int>& updated, std::int64_t now, Report& report) {
   const Ticks& ticks = motion_->ticks();
+  const int coarsest = Ticks::coarsest(now);
   std::vector<int> stuck;
   before_.clear();
   for (int i : updated) {
-    const double h = motion_->step_of(i);
-    const int wanted = ticks.level(h), before = level_[i];
+    const int before = level_[i], level = motion_->level_of(i, std::max(begun_ ? before - 1 : 0, coarsest));
     before_.push_back(before);
-    if (wanted > Ticks::finest || !advances(ticks.time(now), h)) stuck.push_back(i);
-    level_[i] = std::max({std::min(wanted, Ticks::finest), begun_ ? before - 1 : 0, Ticks::coarsest(now)});
+    level_[i] = std::min(level, Ticks::finest);
+    if (level > Ticks::finest || !advances(ticks.time(now), ticks.seconds(Ticks::step(level))))
+      stuck.push_back(i);
   }
   if (!stuck.empty()) {
     report = underflow(now, stuck);
@@ -99,15 +108,19 @@ bool BlockSteps::choose_levels(const std::vector<int>& updated, std::int64_t now
 
 /// Raises levels until no neighbour is more than `grading` finer: the same levels in whatever order particles come.
 void BlockSteps::limit_differences(const std::vector<int>& updated) {
-  for (bool changed = true; changed;) {
-    changed = false;
-    for (int i : updated) {
-      int least = level_[i];
-      for (int n : motion_->graph().neighbours(i)) least = std::max(least, level_[n] - grading_);
-      changed = changed || least != level_[i];
-      level_[i] = least;
-    }
-  }
+  raised_.clear();
+  const auto raise = [&](int i) {
+    int least = level_[i];
+    for (int n : motion_->graph().neighbours(i)) least = std::max(least, level_[n] - grading_);
+    if (least == level_[i]) return;
+    level_[i] = least;
+    raised_.push_back(i);
+  };
+  for (int i : updated) raise(i);
+  // Whoever was raised may ask the same of its neighbours, as far as they are updated now.
+  for (std::size_t r = 0; r < raised_.size(); ++r)
+    for (int n : motion_->graph().neighbours(raised_[r]))
+      if (motion_->begin_of(n) == now_) raise(n);
 }
 
 void BlockSteps::move(int particle, int from, int to) {

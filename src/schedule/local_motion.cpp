@@ -41,7 +41,7 @@ LocalMotion::LocalMotion(const System<double>& system, TruncationLaw law, const 
 
 void LocalMotion::begin(const State<double>& state, const Ticks& ticks) {
   all_.start(state);  // throws what is to be thrown
-  ticks_ = ticks;
+  set_ticks(ticks);
   const std::size_t particles = state.position.rows();
   series_.assign(particles * size_, 0.0);
   begin_.assign(particles, 0);
@@ -54,32 +54,48 @@ void LocalMotion::begin(const State<double>& state, const Ticks& ticks) {
     }
 }
 
+void LocalMotion::set_ticks(const Ticks& ticks) {
+  ticks_ = ticks;
+  allowed_.clear();
+  coarsest_.clear();
+  for (double longest : longest_) coarsest_.push_back(ticks_.level(longest));
+}
+
 /// x = sum_{n<=K} w_n x_n s^n,   v = sum_{n<=K} w_n (n+1) x_{n+1} s^n, or the derivative of x;   by Horner's rule.
-void LocalMotion::evaluate(int particle, double s, double* x, double* v) const {
+template <int stride>
+void LocalMotion::evaluate_padded(int particle, double s, double* x, double* v) const {
   const double* c = series(particle);
   const int degree = degree_[particle];
   const bool own = options_.velocity == VelocitySeries::own_series;
-  double sum[4] = {}, slope[4] = {};
+  double sum[stride] = {}, slope[stride] = {};
   for (int n = degree; n >= 0; --n)
-    for (int d = 0; d < stride_; ++d) sum[d] = sum[d] * s + weights_[n] * c[n * stride_ + d];
-  std::copy_n(sum, dimension_, x);
+    for (int d = 0; d < stride; ++d) sum[d] = sum[d] * s + weights_[n] * c[n * stride + d];
+  const int dimension = stride < 4 ? stride : 3;
+  for (int d = 0; d < dimension; ++d) x[d] = sum[d];
   if (!v) return;
   for (int n = own ? degree : degree - 1; n >= 0; --n)
-    for (int d = 0; d < stride_; ++d)
-      slope[d] = slope[d] * s + weights_[own ? n : n + 1] * ((n + 1) * c[(n + 1) * stride_ + d]);
-  std::copy_n(slope, dimension_, v);
+    for (int d = 0; d < stride; ++d)
+      slope[d] = slope[d] * s + weights_[own ? n : n + 1] * ((n + 1) * c[(n + 1) * stride + d]);
+  for (int d = 0; d < dimension; ++d) v[d] = slope[d];
+}
+void LocalMotion::evaluate(int particle, double s, double* x, double* v) const {
+  if (stride_ == 1) return evaluate_padded<1>(particle, s, x, v);
+  if (stride_ == 2) return evaluate_padded<2>(particle, s, x, v);
+  evaluate_padded<4>(particle, s, x, v);
 }
 
 /// What others are told of a particle: its series with the weights of its degree.
+template <int stride>
 void LocalMotion::told(int particle, double* to, std::size_t next_order) const {
   const double* c = series(particle);
   if (law_.is_fixed()) {
-    for (int n = 0; n <= order_; ++n) std::copy_n(c + n * stride_, stride_, to + n * next_order);
+    for (int n = 0; n <= order_; ++n)
+      for (int d = 0; d < stride; ++d) to[n * next_order + d] = c[n * stride + d];
     return;
   }
   for (int n = 0; n <= order_; ++n)
-    for (int d = 0; d < stride_; ++d)
-      to[n * next_order + d] = n <= degree_[particle] ? weights_[n] * c[n * stride_ + d] : 0.0;
+    for (int d = 0; d < stride; ++d)
+      to[n * next_order + d] = n <= degree_[particle] ? weights_[n] * c[n * stride + d] : 0.0;
 }
 
 bool LocalMotion::finite_series(const double* c, int particle, Count now, Report& report) const {
@@ -115,32 +131,55 @@ void LocalMotion::count(std::size_t updated) {
 }
 
 bool LocalMotion::update(PartialExpansion& group, Count now, Report& report) {
-  const auto &active = group.active(), &known = group.known();
   const std::uint64_t before = group.element_coefficients();
+  const bool done = stride_ == 1   ? update_padded<1>(group, now, report)
+                    : stride_ == 2 ? update_padded<2>(group, now, report)
+                                   : update_padded<4>(group, now, report);
+  partial_coefficients_ += group.element_coefficients() - before;
+  if (!done) return false;
+  for (int i : group.active()) publish(i, now, groups_);
+  count(group.active().size());
+  return true;
+}
+
+template <int stride>
+bool LocalMotion::update_padded(PartialExpansion& group, Count now, Report& report) {
+  const auto &active = group.active(), &known = group.known();
+  const std::size_t next_order = group.next_order();
   for (std::size_t a = 0; a < active.size(); ++a)
-    evaluate(active[a], ticks_.seconds(now - begin_[active[a]]), group.active_row(0, a),
-             group.active_row(1, a));
-  const std::size_t next_order = known.empty() ? 0 : group.known_row(1, 0) - group.known_row(0, 0);
+    evaluate_padded<stride>(active[a], ticks_.seconds(now - begin_[active[a]]), group.active_row(0, a),
+                            group.active_row(1, a));
   shift_.clear();
   for (std::size_t b = 0; b < known.size(); ++b) {
-    told(known[b], group.known_row(0, b), next_order);
+    told<stride>(known[b], group.known_row(0, b), next_order);
     shift_.push_back(ticks_.seconds(now - begin_[known[b]]));
   }
   if (!known.empty()) group.shift_known(order_, shift_);
   group.grow_to(order_, ticks_.time(now));
-  partial_coefficients_ += group.element_coefficients() - before;
 
-  rows_.resize(active.size() * size_);
-  for (std::size_t a = 0; a < active.size(); ++a)
-    for (int n = 0; n <= order_; ++n)
-      std::copy_n(group.active_row(n, a), stride_, rows_.data() + a * size_ + n * stride_);
-  for (std::size_t a = 0; a < active.size(); ++a)
-    if (!finite_series(rows_.data() + a * size_, active[a], now, report)) return false;
-  for (std::size_t a = 0; a < active.size(); ++a) {
-    std::copy_n(rows_.data() + a * size_, size_, series(active[a]));
-    publish(active[a], now, groups_);
+  // Nothing is taken over before all of it is known to be finite.
+  const double* grown = group.active_row(0, 0);
+  double not_finite = 0;  // x - x is 0, or NaN
+  for (int n = 0; n <= order_; ++n) {
+    double of_order = 0;
+    for (std::size_t i = 0; i < active.size() * stride; ++i) {
+      const double x = grown[n * next_order + i];
+      of_order += x - x;
+    }
+    not_finite += of_order;
   }
-  count(active.size());
+  const auto copy = [&](std::size_t a, double* to) {
+    for (int n = 0; n <= order_; ++n)
+      for (int d = 0; d < stride; ++d) to[n * stride + d] = grown[n * next_order + a * stride + d];
+  };
+  if (!(not_finite == 0)) {
+    rows_.resize(size_);
+    for (std::size_t a = 0; a < active.size(); ++a) {
+      copy(a, rows_.data());
+      if (!finite_series(rows_.data(), active[a], now, report)) return false;
+    }
+  }
+  for (std::size_t a = 0; a < active.size(); ++a) copy(a, series(active[a]));
   return true;
 }
 
@@ -158,18 +197,32 @@ bool LocalMotion::update_all(Count now, Report& report) {
   return true;
 }
 
-double LocalMotion::step_of(int particle) const {
+LastTwoSizes LocalMotion::sizes_of(int particle) const {
   const int degree = law_.max_degree();
   const auto size = [&](int k) {
     if (k < 0 || k > order_) return 0.0;
     const double* c = series(particle) + k * stride_;
     double most = 0;
-    for (int d = 0; d < dimension_; ++d) most = std::max(most, std::abs(c[d]));
+    for (int d = 0; d < stride_; ++d) most = std::max(most, std::abs(c[d]));
     return most;
   };
-  return std::min(
-      longest_[particle],
-      last_two_step({degree, {size(2), size(3)}, {size(degree - 1), size(degree)}}, options_.tolerance));
+  return {degree, {size(2), size(3)}, {size(degree - 1), size(degree)}};
+}
+
+double LocalMotion::step_of(int particle) const {
+  return std::min(longest_[particle], last_two_step(sizes_of(particle), options_.tolerance));
+}
+
+int LocalMotion::level_of(int particle, int coarsest) {
+  const LastTwoSizes sizes = sizes_of(particle);
+  int level = std::max(coarsest, coarsest_[particle]);
+  for (; level <= Ticks::finest; ++level) {
+    while (static_cast<int>(allowed_.size()) <= level)
+      allowed_.emplace_back(sizes.degree, options_.tolerance,
+                            ticks_.seconds(Ticks::step(static_cast<int>(allowed_.size()))));
+    if (allowed_[level](sizes)) break;
+  }
+  return level;
 }
 
 State<double> LocalMotion::at(double t) const {

@@ -43,6 +43,8 @@ class LocalMotion {
 
   /// How far a particle may go by its own series [s]; at most max_step.
   double step_of(int particle) const;
+  /// The first level from `coarsest` on whose step is no longer than that; beyond the finest where there is none.
+  int level_of(int particle, int coarsest);
 
   Count begin_of(int particle) const { return begin_[particle]; }
   std::uint64_t updates_of(int particle) const { return updates_[particle]; }
@@ -64,6 +66,10 @@ class LocalMotion {
   double* series(std::size_t particle) { return series_.data() + particle * size_; }
   const double* series(std::size_t particle) const { return series_.data() + particle * size_; }
   void evaluate(int particle, double s, double* x, double* v) const;
+  template <int stride>
+  void evaluate_padded(int particle, double s, double* x, double* v) const;
+  LastTwoSizes sizes_of(int particle) const;
+  void set_ticks(const Ticks& ticks);
   template <class Since>
   State<double> state_at(double t, const Since& since) const {
     const auto particles = static_cast<Eigen::Index>(begin_.size());
@@ -73,7 +79,10 @@ class LocalMotion {
       evaluate(i, since(i), state.position.row(i).data(), state.velocity.row(i).data());
     return state;
   }
-  void told(int particle, double* c, std::size_t next_order) const;
+  template <int stride>
+  void told(int particle, double* to, std::size_t next_order) const;
+  template <int stride>
+  bool update_padded(PartialExpansion& group, Count now, Report& report);
   bool finite_series(const double* c, int particle, Count now, Report& report) const;
   void publish(int particle, Count now, std::uint64_t group);
   void count(std::size_t updated);
@@ -86,8 +95,10 @@ class LocalMotion {
   std::shared_ptr<const Neighbourhoods> graph_;
   Expansion<double> all_;
   std::vector<int> moving_, places_;
-  std::vector<double> longest_;  // step of each particle [s]
-  std::vector<double> weights_;  // of the terms of the law, then one for the term after them
+  std::vector<double> longest_;         // step of each particle [s]
+  std::vector<int> coarsest_;           // level that is no longer than that
+  std::vector<LastTwoAllows> allowed_;  // steps, by level; those that have been asked for
+  std::vector<double> weights_;         // of the terms of the law, then one for the term after them
   Ticks ticks_;
   AlignedVector<double> series_;  // [particle][order][padded component]
   std::vector<Count> begin_;

@@ -30,6 +30,20 @@ struct LastTwoSizes {
 /// infinity where the last coefficients vanish; 0 where a size is not a number or infinite.
 double last_two_step(const LastTwoSizes& sizes, double tolerance);
 
+/// Whether last_two_step is at least h: its two rules without logarithms, for one h > 0 and many particles. Within a few
+/// rounding errors of h either answer may be given.
+class LastTwoAllows {
+ public:
+  LastTwoAllows(int degree, double tolerance, double h);
+  bool operator()(const LastTwoSizes& sizes) const;
+
+ private:
+  int degree_;
+  double tolerance_, h_, s_;     // s = h / 0.7
+  std::array<double, 2> power_;  // of s: N - 1 and N
+  bool in_range_;                // of a double
+};
+
 /// One step for all particles: the shortest of theirs.
 class LastTwo final : public Control {
  public:

@@ -44,6 +44,8 @@ class PartialExpansion {
   /// order() - 2 of what it will grow to before it grows.
   double* known_row(int k, std::size_t place) { return active_row(k, active_.size() + 1 + place); }
   int stride() const { return stride_; }
+  /// The distance between a row of one order and that of the next.
+  std::size_t next_order() const { return rows_ * stride_; }
 
   /// Re-expands the known rows, given about times that lie s[place] before the present one, orders 0 .. order.
   void shift_known(int order, const std::vector<double>& s);

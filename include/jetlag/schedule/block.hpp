@@ -54,14 +54,15 @@ class BlockSteps final : public ClockSchedule {
   void move(int particle, int from, int to);
 
   int grading_;
-  std::int64_t next_ = 0;
+  std::int64_t next_ = 0, now_ = 0;  // ticks of the next update and of the last one
   bool begun_ = false;
   const std::vector<int>* updated_ = nullptr;
   std::vector<int> level_, place_;          // of each particle, and its place among those of its level
   std::vector<std::vector<int>> of_level_;  // particles
   std::vector<std::unique_ptr<Group>>
-      groups_;               // all particles from a level on, by that level; null: not yet made
-  std::vector<int> before_;  // levels before an update
+      groups_;                        // all particles from a level on, by that level; null: not yet made
+  std::vector<int> before_;           // levels before an update
+  std::vector<int> raised_, chosen_;  // room for an update
 };
 
 }  // namespace jetlag

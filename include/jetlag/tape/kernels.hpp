@@ -59,8 +59,8 @@ struct KernelTable {
   /// Of this table and the narrower ones, the one with the least to compute for so many elements, wasted lanes counted.
   const KernelTable& fitting(std::size_t elements) const {
     const auto cost =
-        [&](const KernelTable& table) {  // of the blocks, each with an overhead worth some 6 lanes
-          return (elements + table.lanes - 1) / table.lanes * (table.lanes + 6);
+        [&](const KernelTable& table) {  // of the blocks, each with an overhead worth some 20 lanes
+          return (elements + table.lanes - 1) / table.lanes * (table.lanes + 20);
         };
     const KernelTable* best = this;
     for (const KernelTable* table = narrower; table; table = table->narrower)
