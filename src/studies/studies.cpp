@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/studies.hpp"
 
+#include "studies/collapse.hpp"
 #include "studies/long_runs.hpp"
 #include "studies/paper_figures.hpp"
 #include "studies/paper_table.hpp"
@@ -21,6 +22,7 @@ void add_studies(CLI::App& app, std::optional<Study>& chosen) {
   add_speed_against_error(*study, chosen);
   add_stability(app, chosen);
   add_ruler_table(*study, chosen);
+  add_collapse(*study, chosen);
 }
 
 }  // namespace jetlag
