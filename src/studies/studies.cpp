@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/studies.hpp"
 
+#include "studies/avi_drift.hpp"
 #include "studies/collapse.hpp"
 #include "studies/long_runs.hpp"
 #include "studies/paper_figures.hpp"
@@ -23,6 +24,7 @@ void add_studies(CLI::App& app, std::optional<Study>& chosen) {
   add_stability(app, chosen);
   add_ruler_table(*study, chosen);
   add_collapse(*study, chosen);
+  add_avi_drift(*study, chosen);
 }
 
 }  // namespace jetlag
