@@ -76,5 +76,22 @@ TEST(AviDriftStudy, HasAnEnergyThatDoesNotDrift) {
   EXPECT_LT(std::stod(row[6]), 1e-13);
 }
 
+TEST(MassRatioStudy, TellsUpdatesAndEnergies) {
+  // degree, method in one or three words, updates of heavy and light, ratio, coefficients, energy errors, end
+  const auto rows = table("mass_ratio --degrees 8 --periods 1000");
+  ASSERT_EQ(rows.size(), 3u + 4u);
+  const double ratios[] = {8, 2, 1.88, 1};
+  for (int i = 0; i < 4; ++i) {
+    const auto& row = rows[3 + i];
+    ASSERT_GE(row.size(), 9u);
+    const auto last = [&](int n) { return std::stod(row[row.size() - n]); };
+    EXPECT_NEAR(last(5), ratios[i], 0.01);
+    EXPECT_LE(last(3), last(2));
+    // Steps that are good to the tolerance of 1e-10 m, in the sum too: the light mass swings, and errors with it.
+    EXPECT_LT(last(1), 1e-9);
+    EXPECT_LT(last(2), 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace jetlag::testing
