@@ -111,8 +111,8 @@ int run(const Arguments& arguments) {
     std::vector<Outcomes> with{{"block"}, {"free"}, {"lockstep"}, {"fixed"}}, without{{"block"}, {"free"}};
     double step = 0;
     for (int run = 0; run < arguments.runs; ++run) {
-      // Fixed steps are as many as cost what block steps do, rounded up; over the runs the collapse comes at equally
-      // spaced places within such a step.
+      // Fixed steps are as many as cost what block steps do in the first run, rounded up; over the runs the collapse
+      // comes at equally spaced places within such a step.
       const CollapsingBody body = collapsing_body(mesh, edge, offset, lead + run * step / arguments.runs);
       const State<double> truth = moved(body.system, body.nearest, until);
       const auto clocks = [&](Outcomes& all, auto schedule) { add(all, arguments, body, truth, schedule); };

@@ -4,17 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
-#include <memory>
-#include <vector>
 
-#include "jetlag/control/last_two.hpp"
-#include "jetlag/integrators/taylor.hpp"
 #include "jetlag/motion/energy.hpp"
 #include "jetlag/schedule/asynchronous.hpp"
 #include "jetlag/schedule/block.hpp"
-#include "jetlag/schedule/lockstep.hpp"
 
 namespace jetlag::testing {
 namespace {
