@@ -61,7 +61,8 @@ std::string json(const Work& work) {
                  {"coefficients", json(work.coefficients)},
                  {"element_coefficients", json(work.element_coefficients)},
                  {"mean_degree", json(work.mean_degree())},
-                 {"rejected", json(work.rejected)}});
+                 {"rejected", json(work.rejected)},
+                 {"wake_ups", json(work.wake_ups)}});
 }
 
 }  // namespace

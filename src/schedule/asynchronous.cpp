@@ -82,7 +82,7 @@ void Asynchronous::notify_neighbours(Ticks::Count now) {
       doubt_[n] += departure;
       if (doubt_[n] > most) {
         queue_.set(n, now);
-        ++wake_ups_;
+        motion_->count_wake_up();
       }
     }
 }

@@ -60,6 +60,7 @@ class LocalMotion {
   }
 
   const Work& work() const { return work_; }
+  void count_wake_up() { ++work_.wake_ups; }
   int degree_of(int particle) const { return degree_[particle]; }
 
  private:

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "studies/studies.hpp"
 
+#include "studies/avi_drift.hpp"
+#include "studies/collapse.hpp"
 #include "studies/long_runs.hpp"
+#include "studies/mass_ratio.hpp"
 #include "studies/paper_figures.hpp"
 #include "studies/paper_table.hpp"
 #include "studies/reference_table.hpp"
@@ -21,6 +24,9 @@ void add_studies(CLI::App& app, std::optional<Study>& chosen) {
   add_speed_against_error(*study, chosen);
   add_stability(app, chosen);
   add_ruler_table(*study, chosen);
+  add_collapse(*study, chosen);
+  add_avi_drift(*study, chosen);
+  add_mass_ratio(*study, chosen);
 }
 
 }  // namespace jetlag

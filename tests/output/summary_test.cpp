@@ -38,7 +38,8 @@ Summary sample() {
                   .coefficients = 20,
                   .element_coefficients = 18446744073709551615u,
                   .degrees = 18,
-                  .rejected = 1};
+                  .rejected = 1,
+                  .wake_ups = 2};
   summary.wall_seconds = 0.25;
   summary.version = "1.2.3";
   summary.seed = 18446744073709551615u;
@@ -54,7 +55,7 @@ TEST(Summary, HasEveryKeyOfTheContractInItsOrder) {
   EXPECT_THAT(keys(json["energy"]), ElementsAre("initial", "final", "max_relative_error"));
   EXPECT_THAT(keys(json["momentum"]), ElementsAre("initial", "final"));
   EXPECT_THAT(keys(json["work"]), ElementsAre("updates", "steps", "coefficients", "element_coefficients",
-                                              "mean_degree", "rejected"));
+                                              "mean_degree", "rejected", "wake_ups"));
 }
 
 TEST(Summary, KeepsEveryDigit) {
@@ -80,6 +81,7 @@ TEST(Summary, KeepsEveryDigit) {
   EXPECT_EQ(json["work"]["element_coefficients"].get<std::uint64_t>(), 18446744073709551615u);
   EXPECT_EQ(json["work"]["mean_degree"].get<double>(), 4.5);
   EXPECT_EQ(json["work"]["rejected"], 1);
+  EXPECT_EQ(json["work"]["wake_ups"], 2);
   EXPECT_EQ(json["wall_seconds"].get<double>(), 0.25);
   EXPECT_EQ(json["version"], "1.2.3");
   EXPECT_EQ(json["seed"].get<std::uint64_t>(), 18446744073709551615u);

@@ -56,6 +56,7 @@ TEST(ClocksInScenes, ShowTheMotionOfOneClockAtTheSameFrames) {
     EXPECT_GT(work.updates, work.steps);
     EXPECT_GT(work.element_coefficients, work.updates);
     EXPECT_DOUBLE_EQ(work.mean_degree(), 12);
+    EXPECT_EQ(work.wake_ups > 0, type == "asynchronous");
   }
 }
 

@@ -50,12 +50,11 @@ double largest(const std::vector<double>& errors, double from = 0, double to = 1
 
 // ---- conservation ------------------------------------------------------------------------------------------
 
-/// Times at which all clocks of courant_steps(chain, f) ring: steps of the stiff springs are a tenth of the soft ones.
-double common_period(double f) { return f * 2 / std::sqrt(2.0); }
+double common_period(double f) { return TenMasses::common_period(f); }
 
 TEST(Avi, HasTheEnergyErrorOfTheReferenceWithoutDrift) {
   // At common times up to 2000. Reference: a loop over these two clocks in plain arrays, written without the library; the
-  // motion is regular, so that roundings do not grow to 1e-4 of an error. Up to 1e5 the largest are 0.0232 and 0.00502.
+  // motion is regular, so that roundings do not grow to 1e-4 of an error. Up to 1e5: `jetlag study avi_drift`.
   const Scene chain = ten_masses();
   EnergyMeter energy(chain.system);
   EXPECT_NEAR(energy(chain.start).total(), 0.040064470729897, 1e-15);

@@ -13,11 +13,11 @@
 
 #include "jetlag/control/jorba_zou.hpp"
 #include "jetlag/control/last_two.hpp"
-#include "jetlag/motion/energy.hpp"
 #include "jetlag/schedule/asynchronous.hpp"
 #include "jetlag/schedule/block.hpp"
 #include "jetlag/schedule/lockstep.hpp"
 #include "schedule/networks.hpp"
+#include "studies/heavy_and_light.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -118,57 +118,6 @@ TEST_P(Clocks, GoOnWithTheSameBits) {
   EXPECT_GT(stops, 3);
   EXPECT_EQ(cut.position, whole.position);
   EXPECT_EQ(cut.velocity, whole.velocity);
-}
-
-// ---- H3: masses 1 and 1e-6 in a row ------------------------------------------------------------------------
-
-/// F = -k d on a pair, of no rest length.
-struct Bond {
-  static constexpr const char* name = "bond";
-  static constexpr int participants = 2;
-  static constexpr std::array parameters{"stiffness"};
-  template <class T, int D>
-  static Vector<T, D> force(const Participants<T, D, 2>& p, const T& k) {
-    return T(k) * Vector<T, D>(p.position[1] - p.position[0]);
-  }
-  template <class T, int D>
-  static T energy(const Participants<T, D, 2>& p, const T& k) {
-    return T(0.5) * k * T((p.position[1] - p.position[0]).squaredNorm());
-  }
-};
-
-TEST(HeavyAndLight, HaveClocksInTheRatioTheirDegreeAllows) {
-  // wall - 1 kg - 1e-6 kg, k = 1: the light mass runs a thousand times as fast, and shakes the heavy one by a
-  // millionth of its own amplitude. So coefficient N of the heavy one is 1e-6 of the light one's, its step
-  // (1e6)^(1/N) times as long: 32 at degree 4 and 6 at degree 8, and more where the last but one decides, within a
-  // factor 2 each as levels are powers of two.
-  // Source of the values: the closed form in 75 digits, methods 13, H3.
-  System<double> system(1, {1.0, 1.0, 1e-6});
-  system.fix(0);
-  system.add<Bond>({{0, 1}, {1, 2}}, {{1.0}});
-  for (int degree : {4, 8}) {
-    State<double> state{0.0, Coordinates<double>::Zero(3, 1), Coordinates<double>::Zero(3, 1)};
-    state.velocity(1, 0) = 1;
-    EnergyMeter meter(system);
-    const double energy = meter(state).total();
-    double worst = 0;
-    BlockSteps::Options options;
-    options.tolerance = 1e-10;
-    options.grading = 0;
-    BlockSteps schedule(system, degree, options);
-    RunOptions run;
-    for (int frame = 1; frame <= 100; ++frame) run.frame_times.push_back(0.01 * frame);
-    run.at_frame = [&](const State<double>& at) {
-      worst = std::max(worst, std::abs(meter(at).total() - energy));
-    };
-    ASSERT_EQ(schedule.run(state, 1.0, run).outcome, Outcome::success);
-    const double ratio =
-        static_cast<double>(schedule.updates_of(2)) / static_cast<double>(schedule.updates_of(1));
-    EXPECT_GT(ratio, degree == 4 ? 100 : 0.5 * std::pow(1e6, 1.0 / degree));  // measured: 104, 6.4
-    EXPECT_LT(worst, 1e-6);
-    EXPECT_NEAR(state.position(1, 0), 0.8414702947474279095532, 1e-6);
-    EXPECT_NEAR(state.position(2, 0), 0.8406439751772336314111, 1e-5);
-  }
 }
 
 // ---- a spring that collapses somewhere in a net ------------------------------------------------------------

@@ -13,7 +13,7 @@
 // many neighbours a fraction of that; clocks stand still (measured: 5e6 steps without progress on a chain of 128).
 // Instead what has been relied upon is checked. A new polynomial is compared with the old one at the end of each
 // neighbour's step; a neighbour for which such differences add up to more than `notify` tolerances is woken: it is
-// updated at once. Each particle is updated at most once at a tick, so that waking ends.
+// updated at once, and counted in Work::wake_ups. Each particle is updated at most once at a tick, so that waking ends.
 //
 // Source: [MX] algorithm 1, corrected: methods 1f. Block steps (schedule/block.hpp) are more accurate at the same cost.
 
@@ -40,9 +40,6 @@ class Asynchronous final : public ClockSchedule {
       : Asynchronous(system, fixed_degree(degree), options) {}
   ~Asynchronous() override;
 
-  /// Updates before their time so far.
-  std::uint64_t wake_ups() const { return wake_ups_; }
-
  private:
   void begin_clocks() override;
   std::int64_t due() const override { return queue_.time(); }
@@ -61,7 +58,6 @@ class Asynchronous final : public ClockSchedule {
   std::vector<std::int64_t> step_;  // of each particle [ticks]
   std::vector<double> doubt_;       // what its neighbours have departed from what it was told [m]
   std::vector<double> expected_;    // where a particle would be at the end of each neighbour's step
-  std::uint64_t wake_ups_ = 0;
 };
 
 }  // namespace jetlag
