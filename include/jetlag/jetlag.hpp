@@ -39,6 +39,7 @@
 #include "jetlag/schedule/events.hpp"
 #include "jetlag/schedule/lockstep.hpp"
 #include "jetlag/schedule/record.hpp"
+#include "jetlag/schedule/subcycling.hpp"
 #include "jetlag/series/comparisons.hpp"
 #include "jetlag/series/composition.hpp"
 #include "jetlag/series/eigen.hpp"
