@@ -2,11 +2,14 @@
 #include "jetlag/schedule/subcycling.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
+#include <numbers>
 #include <stdexcept>
 
 #include "jetlag/control/courant.hpp"
 #include "jetlag/integrators/accelerations.hpp"
+#include "schedule/nested_steps.hpp"
 
 namespace jetlag {
 
@@ -74,6 +77,16 @@ ParticleSteps courant_steps_of_particles(const System<double>& system, double fr
     throw std::invalid_argument("courant: no particle has a stiffness that limits its step; give a step");
   for (double& step : steps)
     if (step == 0) step = longest;
+  return steps;
+}
+
+ParticleSteps without_resonance(const System<double>& system, ParticleSteps steps) {
+  require_steps(system, steps);
+  double shortest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < system.particles(); ++i)
+    if (!system.fixed()[i]) shortest = std::min(shortest, steps[i]);
+  const NestedSteps nested(system, shortest, 0.5 * std::numbers::pi);
+  for (double& step : steps) step = nested(step);
   return steps;
 }
 
