@@ -13,6 +13,7 @@
 #include "jetlag/integrators/dop853.hpp"
 #include "jetlag/integrators/dopri5.hpp"
 #include "jetlag/integrators/ensemble.hpp"
+#include "jetlag/integrators/explicit_implicit.hpp"
 #include "jetlag/integrators/exponential_step.hpp"
 #include "jetlag/integrators/first_order_taylor.hpp"
 #include "jetlag/integrators/gauss_radau.hpp"
