@@ -5,12 +5,15 @@
 
 namespace jetlag {
 
-bool forces_read(const System<double>& system, Input::Kind kind) {
-  return std::ranges::any_of(system.elements(), [kind](const auto& elements) {
-    return std::ranges::any_of(elements.law.force.nodes, [kind](const Node& node) {
-      return node.kind == Node::Kind::input && node.input.kind == kind;
-    });
+bool reads(const RecordedLaw& law, Input::Kind kind) {
+  return std::ranges::any_of(law.force.nodes, [kind](const Node& node) {
+    return node.kind == Node::Kind::input && node.input.kind == kind;
   });
+}
+
+bool forces_read(const System<double>& system, Input::Kind kind) {
+  return std::ranges::any_of(system.elements(),
+                             [kind](const auto& elements) { return reads(elements.law, kind); });
 }
 
 Accelerations::Accelerations(const System<double>& system)

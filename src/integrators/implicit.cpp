@@ -28,7 +28,8 @@ class NewtonSolver {
     force_.resize(rows());
   }
 
-  int unknowns() const { return particles_ * dimension_; }
+  int particles() const { return particles_; }
+  int dimension() const { return dimension_; }
   std::uint64_t element_coefficients() const { return element_coefficients_; }
 
   Coordinates<double> acceleration(const State<double>& state) {
@@ -112,12 +113,30 @@ ImplicitMethod::ImplicitMethod(const System<double>& system, double step)
 }
 ImplicitMethod::~ImplicitMethod() = default;
 
-/// Newton:  (1 - r (p da/dx + q da/dv)) d = u - g - r a,   u <- u - d, until d is rounding.
+Eigen::VectorXd ImplicitMethod::for_all(double factor) const {
+  return Eigen::VectorXd::Constant(solver_->particles(), factor);
+}
+
+/// The components that are to be solved for, row by row.
+std::vector<Eigen::Index> ImplicitMethod::unknowns(const Equations& equations) const {
+  std::vector<Eigen::Index> found;
+  for (int i = 0; i < solver_->particles(); ++i)
+    if (equations.p(i) != 0 || (equations.q(i) != 0 && accelerations_.depend_on_velocity()))
+      for (int c = 0; c < solver_->dimension(); ++c) found.push_back(i * solver_->dimension() + c);
+  return found;
+}
+
+/// Newton:  (1 - r (da/dx p + da/dv q)) d = u - g - r a,   u <- u - d, until d is rounding.
 bool ImplicitMethod::solve(const Equations& equations, double begin, Coordinates<double>& u, Report& report) {
-  const auto& [g, r, from, p, q] = equations;
-  const auto multiply = [&, r = r, p = p, q = q](const Coordinates<double>& d) -> Coordinates<double> {
+  const auto& g = equations.g;
+  const auto& from = equations.stage;
+  const double r = equations.r;
+  const auto p = equations.p.asDiagonal(), q = equations.q.asDiagonal();
+  const auto multiply = [&](const Coordinates<double>& d) -> Coordinates<double> {
     return d - r * solver_->derivative(p * d, q * d);
   };
+  const std::vector<Eigen::Index> unknown = unknowns(equations);
+  const auto n = static_cast<Eigen::Index>(unknown.size());
   const double eps = std::numeric_limits<double>::epsilon();
   double last = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < 50; ++iteration) {
@@ -130,31 +149,36 @@ bool ImplicitMethod::solve(const Equations& equations, double begin, Coordinates
     }
     const Coordinates<double> residual = u - g - r * a;
     Coordinates<double> d;
-    const int n = solver_->unknowns();
     if (n <= dense_unknowns) {
       Eigen::MatrixXd matrix(n, n);
-      Coordinates<double> unit = Coordinates<double>::Zero(u.rows(), u.cols());
-      for (int k = 0; k < n; ++k) {
-        unit.data()[k] = 1;
-        const Coordinates<double> column = multiply(unit);
-        matrix.col(k) = Eigen::Map<const Eigen::VectorXd>(column.data(), n);
-        unit.data()[k] = 0;
+      d = Coordinates<double>::Zero(u.rows(), u.cols());
+      for (Eigen::Index k = 0; k < n; ++k) {
+        d.data()[unknown[k]] = 1;
+        const Coordinates<double> column = multiply(d);
+        for (Eigen::Index i = 0; i < n; ++i) matrix(i, k) = column.data()[unknown[i]];
+        d.data()[unknown[k]] = 0;
       }
-      d = residual;
-      Eigen::Map<Eigen::VectorXd>(d.data(), n) =
-          matrix.partialPivLu().solve(Eigen::Map<const Eigen::VectorXd>(residual.data(), n));
+      Eigen::VectorXd change(n);
+      for (Eigen::Index i = 0; i < n; ++i) change(i) = residual.data()[unknown[i]];
+      if (n > 0) change = matrix.partialPivLu().solve(change);
+      for (Eigen::Index i = 0; i < n; ++i) d.data()[unknown[i]] = change(i);
+      if (n < u.size()) {  // the others follow
+        Coordinates<double> others = residual - multiply(d);
+        for (const Eigen::Index i : unknown) others.data()[i] = 0;
+        d += others;
+      }
     } else {
-      d = bicgstab(multiply, residual, 2 * n);
+      d = bicgstab(multiply, residual, static_cast<int>(2 * n));
     }
     other_element_coefficients_ = solver_->element_coefficients();
     if (!d.allFinite()) break;
     u -= d;
-    const double change = largest(d), size = largest(u),
-                 of_x = std::max({largest(from.position), largest(stage.position), p * size}),
-                 of_v = std::max({largest(from.velocity), largest(stage.velocity), q * size});
-    if (p * change <= 2 * eps * of_x && q * change <= 2 * eps * of_v) return true;
+    const double change = largest(d), change_x = largest(p * d), change_v = largest(q * d),
+                 of_x = std::max({largest(from.position), largest(stage.position), largest(p * u)}),
+                 of_v = std::max({largest(from.velocity), largest(stage.velocity), largest(q * u)});
+    if (change_x <= 2 * eps * of_x && change_v <= 2 * eps * of_v) return true;
     // At rounding, which may be that of large forces in balance, a change is no longer much smaller than the last.
-    if (change >= 0.25 * last && p * change <= 1e-8 * of_x) return true;
+    if (change >= 0.25 * last && change_x <= 1e-8 * of_x) return true;
     last = change;
   }
   std::ostringstream text;
@@ -172,8 +196,8 @@ double ImplicitMidpoint::advance(const State<double>& from, double limit, State<
   const Equations equations{from.velocity,
                             h / 2,
                             {from.time + h / 2, from.position, Coordinates<double>::Zero(w.rows(), w.cols())},
-                            h / 2,
-                            1.0};
+                            for_all(h / 2),
+                            for_all(1.0)};
   if (!solve(equations, from.time, w, report)) return 0.0;
   to.position = from.position + h * w;
   to.velocity = 2 * w - from.velocity;
@@ -188,25 +212,23 @@ double Newmark::advance(const State<double>& from, double limit, State<double>& 
       0.0 * a,
       1.0,
       {from.time + h, from.position + h * from.velocity + h * h / 4 * a, from.velocity + h / 2 * a},
-      h * h / 4,
-      h / 2};
+      for_all(h * h / 4),
+      for_all(h / 2)};
   Coordinates<double> end = a;
   if (!solve(equations, from.time, end, report)) return 0.0;
-  to.position = equations.stage.position + equations.p * end;
-  to.velocity = equations.stage.velocity + equations.q * end;
+  to.position = equations.stage.position + h * h / 4 * end;
+  to.velocity = equations.stage.velocity + h / 2 * end;
   return h;
 }
 
-namespace {
-/// The motion under the mean acceleration of a step: x_1 = x_0 + h (v_0 + v_1) / 2.
-Piece with_mean_acceleration(const State<double>& before, const State<double>& after, double h) {
-  const Coordinates<double> a = (after.velocity - before.velocity) / h,
-                            half = ((after.position - before.position) / h - before.velocity) / h;
-  return {before.time, before.time + h, {before.position, before.velocity, half}, {before.velocity, a}};
+/// The parabola that begins as the step does and ends where it does: of Newmark and the midpoint rule, the motion under
+/// the mean acceleration.
+Piece ImplicitMethod::piece() const {
+  const double h = length();
+  const Coordinates<double> a = (after().velocity - before().velocity) / h,
+                            half = ((after().position - before().position) / h - before().velocity) / h;
+  return {
+      before().time, before().time + h, {before().position, before().velocity, half}, {before().velocity, a}};
 }
-}  // namespace
-
-Piece ImplicitMidpoint::piece() const { return with_mean_acceleration(before(), after(), length()); }
-Piece Newmark::piece() const { return with_mean_acceleration(before(), after(), length()); }
 
 }  // namespace jetlag

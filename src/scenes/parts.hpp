@@ -64,8 +64,21 @@ Method read_method(const Value& scene, std::shared_ptr<const System<double>> sys
 Method read_clocks(const Value& scene, const Value& schedule, std::shared_ptr<const System<double>> system,
                    std::uint64_t seed);
 
-/// The same for {"type": "avi"}, which has a clock for each element.
+/// The same for {"type": "avi"}, which has a clock for each element, and "subcycling", which has one for each step.
 Method read_avi(const Value& scene, std::shared_ptr<const System<double>> system);
+Method read_subcycling(const Value& scene, std::shared_ptr<const System<double>> system);
+
+/// What such methods have in common: "schedule", which is asynchronous (returns max_steps); "control", which is fixed,
+/// with a step, a fraction courant, or both; and what follows.
+std::uint64_t read_own_schedule(const Value& scene);
+Value read_own_control(const Value& scene);
+Method impulse_method(std::function<std::unique_ptr<Schedule>()> make, std::uint64_t max_steps);
+
+/// A list of particles: at least one, none fixed, none twice. Shape (particles).
+std::vector<bool> read_partition(const Value& list, const System<double>& system);
+
+/// "implicit" of explicit_implicit with steps `step` [s]: a list of particles or "courant". Shape (particles).
+std::vector<bool> read_implicit_particles(const Value& integrator, const System<double>& system, double step);
 
 /// Runs f; a std::invalid_argument becomes a SceneError about `value`.
 template <class F>

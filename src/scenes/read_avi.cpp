@@ -23,7 +23,6 @@ ElementSteps read_steps(const Value& step, const System<double>& system) {
 /// Each step the shorter one of "step" and "courant", where both are given.
 ElementSteps read_element_steps(const Value& control, const System<double>& system) {
   const auto step = control.find("step"), courant = control.find("courant");
-  if (!step && !courant) control.refuse("an object with a step, a fraction courant, or both");
   ElementSteps steps = step ? read_steps(*step, system) : ElementSteps{};
   if (!courant) return steps;
   const double share = courant->number(fraction);
@@ -37,28 +36,39 @@ ElementSteps read_element_steps(const Value& control, const System<double>& syst
 
 }  // namespace
 
-Method read_avi(const Value& scene, std::shared_ptr<const System<double>> system) {
-  const Value integrator = scene.at("integrator"), control = scene.at("control"),
-              schedule = scene.at("schedule", Json{{"type", "asynchronous"}});
-  integrator.only({"type", "resonance"});
+std::uint64_t read_own_schedule(const Value& scene) {
+  const Value schedule = scene.at("schedule", Json{{"type", "asynchronous"}});
   schedule.only({"type", "max_steps"}).at("type", "asynchronous").one_of({"asynchronous"});
+  constexpr auto most = std::numeric_limits<std::int64_t>::max();
+  return static_cast<std::uint64_t>(schedule.has("max_steps") ? schedule.at("max_steps").integer(1, most)
+                                                              : most);
+}
+
+Value read_own_control(const Value& scene) {
+  const Value control = scene.at("control");
   if (!control.is_object()) control.refuse("an object with a type");
   if (control.only({"type", "step", "courant"}).at("type", "fixed").text() != "fixed")
-    control.at("type").refuse("fixed, which is what avi works with");
+    control.at("type").refuse("fixed, which is what " + scene.at("integrator").at("type").text() +
+                              " works with");
+  if (!control.has("step") && !control.has("courant"))
+    control.refuse("an object with a step, a fraction courant, or both");
+  return control;
+}
+
+Method impulse_method(std::function<std::unique_ptr<Schedule>()> make, std::uint64_t max_steps) {
+  return {std::move(make), std::nullopt, max_steps, 1, std::nullopt, 1.0, 2};
+}
+
+Method read_avi(const Value& scene, std::shared_ptr<const System<double>> system) {
+  const Value integrator = scene.at("integrator");
+  integrator.only({"type", "resonance"});
+  const std::uint64_t max_steps = read_own_schedule(scene);
+  const Value control = read_own_control(scene);
   ElementSteps steps = read_element_steps(control, *system);
   if (integrator.at("resonance", "allowed").one_of({"allowed", "avoided"}) == "avoided")
     steps = checked(integrator.at("resonance"), [&] { return without_resonance(*system, steps); });
   checked(integrator.at("type"), [&] { Avi(*system, steps); });
-
-  constexpr auto most = std::numeric_limits<std::int64_t>::max();
-  const auto max_steps = schedule.has("max_steps") ? schedule.at("max_steps").integer(1, most) : most;
-  return {[system, steps] { return std::make_unique<Avi>(*system, steps); },
-          std::nullopt,
-          static_cast<std::uint64_t>(max_steps),
-          1,
-          std::nullopt,
-          1.0,
-          2};
+  return impulse_method([system, steps] { return std::make_unique<Avi>(*system, steps); }, max_steps);
 }
 
 }  // namespace jetlag

@@ -7,6 +7,7 @@
 #include "jetlag/integrators/conrad.hpp"
 #include "jetlag/integrators/dop853.hpp"
 #include "jetlag/integrators/dopri5.hpp"
+#include "jetlag/integrators/explicit_implicit.hpp"
 #include "jetlag/integrators/exponential_step.hpp"
 #include "jetlag/integrators/gauss_radau.hpp"
 #include "jetlag/integrators/hermite.hpp"
@@ -255,6 +256,15 @@ IntegratorFactory read_implicit(const MethodArguments& arguments) {
                          [system = arguments.system, step] { return std::make_unique<M>(*system, step); });
 }
 
+IntegratorFactory read_explicit_implicit(const MethodArguments& arguments) {
+  arguments.integrator.only({"type", "implicit"});
+  const double step = read_step_without_courant(arguments);
+  const auto implicit = read_implicit_particles(arguments.integrator, *arguments.system, step);
+  return one_step_method(arguments, 4.0, [system = arguments.system, step, implicit] {
+    return std::make_unique<ExplicitImplicit>(*system, step, implicit);
+  });
+}
+
 /// "inner": a deterministic method, for steps of any length.
 IntegratorFactory read_inner(const MethodArguments& arguments);
 
@@ -299,11 +309,13 @@ IntegratorFactory read_exponential_step(const MethodArguments& arguments) {
 struct IntegratorReader {
   const char* type;
   IntegratorFactory (*read)(const MethodArguments&);
+  Method (*own_schedule)(const Value& scene, std::shared_ptr<const System<double>> system) = nullptr;
 };
 constexpr IntegratorReader integrators[] = {{"taylor", read_taylor},
                                             {"random_taylor", read_random_taylor},
                                             {"leapfrog", read_leapfrog},
-                                            {"avi", nullptr},  // brings its own schedule: read_avi
+                                            {"avi", nullptr, read_avi},
+                                            {"subcycling", nullptr, read_subcycling},
                                             {"symplectic_euler", read_symplectic_euler},
                                             {"euler", read_runge_kutta<euler>},
                                             {"rk4", read_runge_kutta<rk4>},
@@ -313,6 +325,7 @@ constexpr IntegratorReader integrators[] = {{"taylor", read_taylor},
                                             {"hermite", read_hermite},
                                             {"implicit_midpoint", read_implicit<ImplicitMidpoint>},
                                             {"newmark", read_implicit<Newmark>},
+                                            {"explicit_implicit", read_explicit_implicit},
                                             {"conrad", read_conrad},
                                             {"random_step", read_random_step},
                                             {"exponential_step", read_exponential_step}};
@@ -337,7 +350,7 @@ IntegratorFactory read_inner(const MethodArguments& arguments) {
 Method read_method(const Value& scene, std::shared_ptr<const System<double>> system, std::uint64_t seed) {
   const Value integrator = scene.at("integrator");
   if (!integrator.is_object()) integrator.refuse("an object with a type");
-  if (!chosen(integrator, integrators).read) return read_avi(scene, std::move(system));
+  if (const auto read = chosen(integrator, integrators).own_schedule) return read(scene, std::move(system));
   const Value schedule = scene.at("schedule", Json{{"type", "lockstep"}});
   if (schedule.at("type", "lockstep").one_of({"lockstep", "block", "asynchronous"}) != "lockstep")
     return read_clocks(scene, schedule, std::move(system), seed);

@@ -2,28 +2,14 @@
 #include "jetlag/schedule/avi.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
-#include <sstream>
 #include <stdexcept>
-#include <utility>
 
-#include "jetlag/motion/element_blocks.hpp"
-#include "schedule/frames.hpp"
+#include "jetlag/integrators/accelerations.hpp"
 
 namespace jetlag {
 
 namespace {
-
-/// A clock that rings within this share of its step counts as ringing now: times are rounded.
-constexpr double tolerance = 1e-9;
-
-bool reads(const RecordedLaw& law, Input::Kind kind) {
-  return std::ranges::any_of(law.force.nodes, [kind](const Node& node) {
-    return node.kind == Node::Kind::input && node.input.kind == kind;
-  });
-}
 
 void require_potential(const RecordedLaw& law) {
   const char* why = reads(law, Input::Kind::velocity) ? "its force depends on velocities"
@@ -49,70 +35,29 @@ void require_steps(const System<double>& system, const ElementSteps& steps) {
   }
 }
 
-Report not_finite(const char* what, int particle, double time) {
-  std::ostringstream text;
-  text.precision(10);
-  text << what << " particle " << particle << " at t = " << time
-       << " is not finite: the force is singular there (particles that coincide?), or the motion has blown "
-          "up; take "
-          "shorter steps, and not such that they resonate";
-  return {Outcome::non_finite, text.str(), particle};
-}
-
-/// Some elements of a group, as a group of their own.
-Elements<double> part_of(const Elements<double>& group, const std::vector<int>& members) {
-  Elements<double> part{group.law, {}, {}};
-  const std::size_t p = group.law.participants, width = group.law.parameters.size();
-  for (const std::size_t e : members) {
-    part.particles.insert(part.particles.end(), &group.particles[e * p], &group.particles[e * p] + p);
-    part.parameters.insert(part.parameters.end(), group.parameters.begin() + e * width,
-                           group.parameters.begin() + (e + 1) * width);
+/// The particles of some elements that are not fixed, ascending.
+std::vector<int> moving_ends(const System<double>& system, const std::vector<std::vector<int>>& members) {
+  std::vector<int> found;
+  for (std::size_t g = 0; g < members.size(); ++g) {
+    const auto& group = system.elements()[g];
+    const int p = group.law.participants;
+    for (const int e : members[g])
+      for (int i = 0; i < p; ++i)
+        if (const int particle = group.particles[e * p + i]; !system.fixed()[particle])
+          found.push_back(particle);
   }
-  return part;
+  std::ranges::sort(found);
+  const auto repeated = std::ranges::unique(found);
+  found.erase(repeated.begin(), repeated.end());
+  return found;
 }
 
 }  // namespace
 
-/// Elements that push together.
-struct Avi::Clock {
-  double step;  // [s]
-  std::vector<ElementBlocks<double>> laws;
-  std::uint64_t elements = 0;
-  std::vector<int> particles;   // that it pushes: none fixed
-  std::uint64_t rung = 0;       // how often
-  double last = 0;              // [s]: when
-  std::vector<double> force{};  // then, on its particles: padded rows
-};
-
-/// What an observer sees of the motion between two impulses.
-class Avi::Between final : public LastStep {
- public:
-  Between(const Avi& motion, double begin, double end) : motion_(motion), begin_(begin), end_(end) {}
-
-  /// Straight lines; between impulses the velocity of `at` is linear in time.
-  Piece piece() const override {
-    const State<double> from = motion_.at(begin_), to = motion_.at(end_);
-    const double h = end_ - begin_;
-    return {begin_,
-            end_,
-            {from.position, (to.position - from.position) / h},
-            {from.velocity, (to.velocity - from.velocity) / h}};
-  }
-  const Work& work() const override { return motion_.work(); }
-
- private:
-  const Avi& motion_;
-  double begin_, end_;
-};
-
-Avi::Avi(const System<double>& system, const ElementSteps& steps)
-    : dimension_(system.dimension()), stride_(padded(system.dimension())) {
+Avi::Avi(const System<double>& system, const ElementSteps& steps) : Impulses(system, "avi", "element") {
   for (const auto& group : system.elements())
     if (group.count() > 0) require_potential(group.law);
   require_steps(system, steps);
-  for (int i = 0; i < system.particles(); ++i)
-    push_.push_back(system.fixed()[i] ? 0.0 : 1.0 / system.mass()[i]);
-
   std::map<double, std::vector<std::vector<int>>> members;  // of each step, group by group
   for (std::size_t g = 0; g < steps.size(); ++g)
     for (std::size_t e = 0; e < steps[g].size(); ++e) {
@@ -120,220 +65,7 @@ Avi::Avi(const System<double>& system, const ElementSteps& steps)
       groups.resize(steps.size());
       groups[g].push_back(static_cast<int>(e));
     }
-  for (const auto& [step, groups] : members) add_clock(system, step, groups);
-}
-
-Avi::~Avi() = default;
-
-void Avi::add_clock(const System<double>& system, double step, const std::vector<std::vector<int>>& members) {
-  Clock clock{.step = step, .laws = {}, .particles = {}};
-  for (std::size_t g = 0; g < members.size(); ++g) {
-    if (members[g].empty()) continue;
-    const Elements<double> part = part_of(system.elements()[g], members[g]);
-    clock.laws.emplace_back(system, part, part.law.force, kernels<double>());
-    clock.laws.back().reserve(1);
-    clock.elements += part.count();
-    for (const int i : part.particles)
-      if (!system.fixed()[i]) clock.particles.push_back(i);
-  }
-  std::ranges::sort(clock.particles);
-  const auto repeated = std::ranges::unique(clock.particles);
-  clock.particles.erase(repeated.begin(), repeated.end());
-  clocks_.push_back(std::move(clock));
-}
-
-// ---- the state -------------------------------------------------------------------------------------------
-
-State<double> Avi::at(double time) const {
-  const auto n = static_cast<Eigen::Index>(push_.size());
-  State<double> state{time, Coordinates<double>(n, dimension_), Coordinates<double>(n, dimension_)};
-  for (Eigen::Index i = 0; i < n; ++i)
-    for (int c = 0; c < dimension_; ++c) {
-      const double v = v_[i * stride_ + c];
-      state.velocity(i, c) = v;
-      state.position(i, c) = x_[i * stride_ + c] + (time - own_time_[i]) * v;
-    }
-  for (const Clock& clock : clocks_) {
-    const double early = 0.5 * clock.step - (time - clock.last);
-    for (std::size_t p = 0; p < clock.particles.size(); ++p) {
-      const int i = clock.particles[p];
-      for (int c = 0; c < dimension_; ++c)
-        state.velocity(i, c) -= early * push_[i] * clock.force[p * stride_ + c];
-    }
-  }
-  return state;
-}
-
-bool Avi::continues(const State<double>& state) const {
-  const auto same = [](const Coordinates<double>& a, const Coordinates<double>& b) {
-    return a.rows() == b.rows() && a.cols() == b.cols() && a == b;
-  };
-  return handed_out_.position.size() > 0 && state.time == handed_out_.time &&
-         same(state.position, handed_out_.position) && same(state.velocity, handed_out_.velocity);
-}
-
-/// Half an impulse of every element.
-bool Avi::begin(const State<double>& state, Report& report) {
-  const std::size_t n = push_.size();
-  require_shape(state, static_cast<int>(n), dimension_);
-  handed_out_ = {};
-  origin_ = last_ = state.time;
-  own_time_.assign(n, state.time);
-  f_.assign(n * stride_, 0.0);
-  x_ = v_ = f_;
-  for (std::size_t i = 0; i < n; ++i)
-    for (int c = 0; c < dimension_; ++c) {
-      x_[i * stride_ + c] = state.position(i, c);
-      v_[i * stride_ + c] = state.velocity(i, c);
-    }
-  due_.clear();
-  for (Clock& clock : clocks_) {
-    clock.rung = 0;
-    clock.force.assign(clock.particles.size() * stride_, 0.0);
-    if (!push(clock, state.time, 0.5, report)) return false;
-  }
-  for (std::size_t c = 0; c < clocks_.size(); ++c)
-    if (!schedule(static_cast<int>(c), report)) return false;
-  return true;
-}
-
-// ---- the clocks ------------------------------------------------------------------------------------------
-
-double Avi::next_time() const {
-  return due_.empty() ? std::numeric_limits<double>::infinity() : due_.front().time;
-}
-
-/// From here on the next clock rings.
-double Avi::reach() const {
-  return due_.empty() ? next_time() : next_time() - tolerance * clocks_[due_.front().clock].step;
-}
-
-/// Its next time is that of its beginning plus a whole number of steps, rounded once.
-bool Avi::schedule(int number, Report& report) {
-  Clock& clock = clocks_[number];
-  const double next = std::fma(static_cast<double>(clock.rung + 1), clock.step, origin_);
-  if (!(next > clock.last)) {
-    std::ostringstream text;
-    text.precision(10);
-    text << "the step " << clock.step << " of " << clock.elements << " elements at t = " << clock.last
-         << " no longer changes the time; take longer steps or count the time from a later origin";
-    report = {Outcome::step_underflow, text.str(), clock.particles.empty() ? -1 : clock.particles.front()};
-    return false;
-  }
-  ++clock.rung;
-  due_.push_back({next, number});
-  std::ranges::push_heap(due_, std::greater<>());
-  return true;
-}
-
-/// The particles of a clock go on to this time. On failure none of them is anywhere new that is not finite.
-bool Avi::drift(const Clock& clock, double time, const RunOptions& options, Report& report) {
-  for (const int i : clock.particles) {
-    const double h = time - own_time_[i];
-    if (h <= 0) continue;
-    for (int c = 0; c < dimension_; ++c)
-      if (!std::isfinite(x_[i * stride_ + c] + h * v_[i * stride_ + c])) {
-        report = not_finite("the position of", i, time);
-        return false;
-      }
-    if (options.on_update) options.on_update({i, own_time_[i], h, 1});
-    for (int c = 0; c < dimension_; ++c) x_[i * stride_ + c] += h * v_[i * stride_ + c];
-    own_time_[i] = time;
-  }
-  return true;
-}
-
-/// v += share h F / m on the particles of a clock, where they are now. On failure nothing has been pushed.
-bool Avi::push(Clock& clock, double time, double share, Report& report) {
-  for (auto& law : clock.laws) {
-    const MotionRows<double> motion{x_.data(), nullptr, 0, time, 1.0};
-    for (std::size_t chunk = 0; chunk < law.chunks(); ++chunk) law.push(chunk, 0, 1, motion, f_.data());
-  }
-  work_.element_coefficients += clock.elements;
-  const double h = share * clock.step;
-  int bad = -1;
-  for (const int i : clock.particles)
-    for (int c = 0; c < dimension_; ++c) {
-      const std::size_t r = i * stride_ + c;
-      if (bad < 0 && !std::isfinite(v_[r] + h * push_[i] * f_[r])) bad = i;
-    }
-  if (bad >= 0) {
-    report = not_finite("the force on", bad, time);
-    return false;
-  }
-  for (std::size_t p = 0; p < clock.particles.size(); ++p) {
-    const int i = clock.particles[p];
-    for (int c = 0; c < dimension_; ++c) {
-      const std::size_t r = i * stride_ + c;
-      v_[r] += h * push_[i] * f_[r];
-      clock.force[p * stride_ + c] = f_[r];
-      f_[r] = 0.0;
-    }
-  }
-  clock.last = time;
-  return true;
-}
-
-/// All clocks that ring at the next time, but for the rounding of times: 10 steps of 0.1 and one of 1 end together.
-bool Avi::next_impulses(const RunOptions& options, Report& report) {
-  const double now = next_time(), together = now + tolerance * clocks_.front().step;
-  ++work_.steps;
-  while (next_time() <= together) {
-    std::ranges::pop_heap(due_, std::greater<>());
-    const int number = due_.back().clock;
-    due_.pop_back();
-    Clock& clock = clocks_[number];
-    if (!drift(clock, now, options, report) || !push(clock, now, 1.0, report)) return false;
-    last_ = now;
-    work_.updates += clock.particles.size();
-    work_.degrees += clock.particles.size();
-    work_.coefficients += clock.particles.size();
-    if (!schedule(number, report)) return false;
-  }
-  return true;
-}
-
-Report Avi::run(State<double>& state, double until, const RunOptions& options) {
-  if (!(until >= state.time))
-    throw std::invalid_argument("run: until must not lie before the time of the state");
-  if (!options.events.empty())
-    throw std::invalid_argument("run: events need one clock for all particles; avi has one for each element");
-  if (until == state.time) return {};
-  Report report;
-  if (!continues(state) && !begin(state, report)) return report;
-  Frames frames(options, state.time);
-  const auto hand_out = [&](double time) { handed_out_ = state = at(time); };
-
-  double start = state.time;
-  for (std::uint64_t step = 0;; ++step) {
-    const double end = std::min(until, next_time());
-    frames.up_to(is_due(until) ? std::nextafter(reach(), start) : until, [&](double t) { return at(t); });
-    bool go_on = true;
-    if (end > start) {
-      if (options.after_step) go_on = options.after_step({Between(*this, start, end), at(end), start});
-      if (options.go_on) go_on = options.go_on(end) && go_on;
-    }
-    if (!go_on) {
-      hand_out(end);
-      return {Outcome::interrupted, "stopped at t = " + std::to_string(state.time), -1};
-    }
-    if (!is_due(until)) break;
-    if (step == options.max_steps) {
-      hand_out(end);
-      return {Outcome::step_limit,
-              "the largest number of steps, " + std::to_string(options.max_steps) +
-                  ", is used up at t = " + std::to_string(state.time) + "; allow more or take longer steps",
-              -1};
-    }
-    start = end;
-    if (!next_impulses(options, report)) {
-      state = at(last_);
-      handed_out_ = {};  // nothing to go on from
-      return report;
-    }
-  }
-  hand_out(until);
-  return {};
+  for (const auto& [step, groups] : members) add_clock(system, step, groups, moving_ends(system, groups));
 }
 
 }  // namespace jetlag

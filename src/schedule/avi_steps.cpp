@@ -8,6 +8,7 @@
 
 #include "jetlag/control/courant.hpp"
 #include "jetlag/schedule/avi.hpp"
+#include "schedule/nested_steps.hpp"
 
 namespace jetlag {
 
@@ -86,23 +87,9 @@ ElementSteps courant_steps(const System<double>& system, double fraction) {
 }
 
 ElementSteps without_resonance(const System<double>& system, ElementSteps steps) {
-  constexpr double margin = 0.8 * std::numbers::pi;
-  const double omega = frequency_bound(system), h = shortest(steps);
-  if (omega == 0)
-    throw std::invalid_argument(
-        "without_resonance: no element has a stiffness, so that no frequency is known");
-  if (!(h * omega < 2))
-    throw std::invalid_argument("without_resonance: the shortest step is " + std::to_string(h) +
-                                "; must be below 2/omega = " + std::to_string(2 / omega));
-  const double omega_h = 2 / h * std::asin(h * omega / 2);
-  double longest = h;
-  while (2 * longest * omega_h <= margin) longest *= 2;
+  const NestedSteps nested(system, shortest(steps), 0.8 * std::numbers::pi);
   for (auto& group : steps)
-    for (double& step : group) {
-      const double most = std::min(step, longest);
-      step = h;
-      while (2 * step <= most) step *= 2;
-    }
+    for (double& step : group) step = nested(step);
   return steps;
 }
 

@@ -18,6 +18,7 @@
 #include "jetlag/integrators/conrad.hpp"
 #include "jetlag/integrators/dop853.hpp"
 #include "jetlag/integrators/dopri5.hpp"
+#include "jetlag/integrators/explicit_implicit.hpp"
 #include "jetlag/integrators/exponential_step.hpp"
 #include "jetlag/integrators/gauss_radau.hpp"
 #include "jetlag/integrators/hermite.hpp"
@@ -195,6 +196,17 @@ inline const std::vector<Method> methods = {
      .energy_bounded = true,
      .make = [](const System<double>& system, double step,
                 std::uint64_t) { return std::make_unique<Newmark>(system, step); }},
+    {.name = "explicit_implicit",  // every second particle is implicit
+     .order = 2,
+     .exact_degree = 2,
+     .symmetric = true,
+     .energy_bounded = true,
+     .make =
+         [](const System<double>& system, double step, std::uint64_t) {
+           std::vector<bool> implicit(system.particles());
+           for (int i = 1; i < system.particles(); i += 2) implicit[i] = true;
+           return std::make_unique<ExplicitImplicit>(system, step, implicit);
+         }},
     taylor_method(2),
     taylor_method(3),
     taylor_method(4),

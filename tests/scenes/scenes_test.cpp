@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Scenes as users run them: the contracts of the scene file and of the summary.
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -123,6 +123,62 @@ TEST(Scenes, GiveEveryElementAClockAndShowIt) {
   for (const Update& update : result.clocks->rows())
     EXPECT_NEAR(update.step, update.particle == 1 ? 0.001 : 0.01, 1e-15);
   EXPECT_EQ(result.clocks->rows().size(), 1000u + 100u);
+}
+
+/// Wall-100-mass-1-mass-1-mass-1-wall under a method, until 1.
+RunResult run_of_three_masses(const std::string& integrator, const std::string& control) {
+  return run_scene(read_scene(
+      R"({"dimension": 1, "particles": {"position": [[0], [1], [2], [3], [4]], "velocity": [[0], [1], [0], [0], [0]],
+           "fixed": [0, 4]},
+          "forces": [{"type": "spring", "pairs": [[0, 1], [1, 2], [2, 3], [3, 4]], "stiffness": [100, 1, 1, 1],
+                      "rest_length": 1}],
+          "integrator": )" +
+          integrator + R"(, "control": )" + control +
+          R"(, "until": 1, "output": {"frames": 1, "clocks": true}})",
+      "test", "."));
+}
+
+/// The steps of particles 1, 2 and 3.
+std::vector<double> steps_of(const std::string& integrator, const std::string& control) {
+  std::vector<double> steps(3);
+  const RunResult result = run_of_three_masses(integrator, control);
+  EXPECT_EQ(result.summary.outcome, Outcome::success);
+  for (const Update& update : result.clocks->rows())
+    if (update.begin == 0) steps[update.particle - 1] = update.step;
+  return steps;
+}
+
+TEST(Scenes, GiveParticlesStepsInAnyRatio) {
+  using ::testing::ElementsAre;
+  // The limits 2/omega: omega^2 of particles 1 and 2 is 101 + 2, of 3 it is 2 + 2.
+  const double stiff = 2 / std::sqrt(103.0);
+  const auto about = [](double step) { return ::testing::DoubleNear(step, 1e-15); };
+  EXPECT_THAT(steps_of(R"({"type": "subcycling", "coarse": [3, 2], "ratio": 2.5})", R"({"step": 0.01})"),
+              ElementsAre(about(0.01), about(0.025), about(0.025)));
+  EXPECT_THAT(
+      steps_of(R"({"type": "subcycling", "ratio": [9, 1, 2, 3.5, 9]})", R"({"type": "fixed", "step": 0.01})"),
+      ElementsAre(about(0.01), about(0.02), about(0.035)));
+  EXPECT_THAT(steps_of(R"({"type": "subcycling", "ratio": "courant"})", R"({"courant": 0.25})"),
+              ElementsAre(about(0.25 * stiff), about(0.25 * stiff), about(0.25)));
+  EXPECT_THAT(steps_of(R"({"type": "subcycling", "coarse": [3], "ratio": "courant"})",
+                       R"({"courant": 0.25, "step": 0.01})"),
+              ElementsAre(about(0.01), about(0.01), about(0.25)));
+  EXPECT_THAT(steps_of(R"({"type": "subcycling", "coarse": [3], "ratio": 3})", R"({"courant": 0.25})"),
+              ElementsAre(about(0.25 * stiff), about(0.25 * stiff), about(0.75 * stiff)));
+  EXPECT_THAT(steps_of(R"({"type": "subcycling", "coarse": [3], "ratio": 9, "resonance": "avoided"})",
+                       R"({"step": 0.03})"),
+              ElementsAre(about(0.03), about(0.03), about(0.12)));
+}
+
+TEST(Scenes, TreatParticlesImplicitlyBeyondTheirLimit) {
+  // h = 0.5 is beyond 2/sqrt(103) and below 1: particles 1 and 2.
+  const std::string control = R"({"type": "fixed", "step": 0.5})";
+  const auto x = [&](const std::string& implicit) {
+    return run_of_three_masses(R"({"type": "explicit_implicit", "implicit": )" + implicit + "}", control)
+        .summary.position;
+  };
+  EXPECT_EQ(x("\"courant\""), x("[1, 2]"));
+  EXPECT_NE(x("\"courant\""), x("[1, 2, 3]"));
 }
 
 TEST(Scenes, SameSeedSameBitsOtherSeedOtherBits) {

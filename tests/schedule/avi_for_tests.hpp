@@ -35,20 +35,25 @@ inline Scene wall_chain() {
 /// Its steps: h for the stiff spring, r h for the soft ones.
 inline ElementSteps wall_chain_steps(double h, double r) { return {{h, r * h, r * h}}; }
 
-/// The largest |eigenvalue| of the map of a time `period` on (x_1, x_2, v_1, v_2), measured column by column: the motion
-/// is linear, so that displacements of 0.1 tell it to rounding.
-inline double spectral_radius(const Scene& chain, const ElementSteps& steps, double period) {
+/// The largest |eigenvalue| of the map of a time `period` on (x_1, x_2 .., v_1, v_2 ..) of the particles but the first and
+/// the last, measured column by column: the motion is linear, so that displacements of 0.1 tell it to rounding. make():
+/// a schedule for the chain.
+template <class Make>
+double spectral_radius(const Scene& chain, const Make& make, double period) {
   constexpr double size = 0.1;
-  Eigen::Matrix4d map;
-  for (int column = 0; column < 4; ++column) {
+  const int n = chain.system.particles() - 2;
+  Eigen::MatrixXd map(2 * n, 2 * n);
+  for (int column = 0; column < 2 * n; ++column) {
     State<double> state = chain.start;
-    (column < 2 ? state.position : state.velocity)(1 + column % 2, 0) += size;
-    Avi avi(chain.system, steps);
-    if (avi.run(state, period, {}).outcome != Outcome::success) return std::nan("");
-    const Coordinates<double> x = state.position - chain.start.position;
-    map.col(column) << x(1, 0), x(2, 0), state.velocity(1, 0), state.velocity(2, 0);
+    (column < n ? state.position : state.velocity)(1 + column % n, 0) += size;
+    if (make().run(state, period, {}).outcome != Outcome::success) return std::nan("");
+    map.col(column) << (state.position - chain.start.position).middleRows(1, n),
+        state.velocity.middleRows(1, n);
   }
   return (map / size).eigenvalues().cwiseAbs().maxCoeff();
+}
+inline double spectral_radius(const Scene& chain, const ElementSteps& steps, double period) {
+  return spectral_radius(chain, [&] { return Avi(chain.system, steps); }, period);
 }
 
 }  // namespace jetlag::testing

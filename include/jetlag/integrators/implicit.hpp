@@ -4,10 +4,11 @@
 // the exact Jacobian of the forces.
 //
 // The Jacobian comes from the tape: coefficient 1 of the forces along x(t) = x + t u, v(t) = v + t w is its product with
-// (u, w), for one order of every element. Up to `dense_unknowns` components the matrix is assembled column by column and
+// (u, w), for one order of every element. Up to `dense_unknowns` unknown components the matrix is assembled column by column and
 // factored; beyond, the equations are solved by BiCGSTAB with such products.
 
 #include <memory>
+#include <vector>
 
 #include "jetlag/integrators/one_step.hpp"
 
@@ -15,11 +16,13 @@ namespace jetlag {
 
 class NewtonSolver;
 
-/// What both have in common. The equations of a step:  u = g + r a(t_s, x_s + p u, v_s + q u),  with one unknown u for
-/// each component.
+/// What they have in common. The equations of a step:  u = g + r a(t_s, x_s + p u, v_s + q u),  with one unknown u for
+/// each component and p, q for each particle. Where p is 0 and no force reads what q moves, u follows from the others.
 class ImplicitMethod : public OneStep {
  public:
   ~ImplicitMethod() override;
+  /// A parabola in the position, a line in the velocity: errors of O(h^3) and O(h^2) within a step.
+  Piece piece() const override;
   static constexpr int dense_unknowns = 96;
 
  protected:
@@ -27,15 +30,19 @@ class ImplicitMethod : public OneStep {
   struct Equations {
     Coordinates<double> g;
     double r;
-    State<double> stage;  // t_s, x_s, v_s
-    double p, q;
+    State<double> stage;   // t_s, x_s, v_s
+    Eigen::VectorXd p, q;  // shape (particles)
   };
   /// Solves them from a guess. False with a report where Newton's method does not converge.
   bool solve(const Equations& equations, double begin, Coordinates<double>& u, Report& report);
 
+  Eigen::VectorXd for_all(double factor) const;  // shape (particles)
+
   double step_;
 
  private:
+  std::vector<Eigen::Index> unknowns(const Equations& equations) const;
+
   std::unique_ptr<NewtonSolver> solver_;
 };
 
@@ -47,8 +54,6 @@ class ImplicitMidpoint final : public ImplicitMethod {
  public:
   /// step [s], > 0. Throws std::invalid_argument.
   ImplicitMidpoint(const System<double>& system, double step) : ImplicitMethod(system, step) {}
-  /// A parabola in the position, a line in the velocity: errors of O(h^3) and O(h^2) within a step.
-  Piece piece() const override;
 
  private:
   double advance(const State<double>& from, double limit, State<double>& to, Report& report) override;
@@ -61,8 +66,6 @@ class Newmark final : public ImplicitMethod {
  public:
   /// step [s], > 0. Throws std::invalid_argument.
   Newmark(const System<double>& system, double step) : ImplicitMethod(system, step) {}
-  /// As for the midpoint rule: the mean acceleration.
-  Piece piece() const override;
 
  private:
   double advance(const State<double>& from, double limit, State<double>& to, Report& report) override;

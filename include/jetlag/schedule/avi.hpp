@@ -18,12 +18,9 @@
 //     omega H in (n pi - 2 atan(H k / (2 omega)), n pi)     for unit mass and an exact oscillation between impulses.
 // Other ratios of steps have narrower bands. `without_resonance` avoids them all.
 
-#include <cstdint>
-#include <memory>
 #include <vector>
 
-#include "jetlag/schedule/schedule.hpp"
-#include "jetlag/tape/program.hpp"
+#include "jetlag/schedule/impulses.hpp"
 
 namespace jetlag {
 
@@ -52,60 +49,12 @@ ElementSteps courant_steps(const System<double>& system, double fraction);
 /// itself beyond 2/omega, and where no element has a stiffness.
 ElementSteps without_resonance(const System<double>& system, ElementSteps steps);
 
-class Avi final : public Schedule {
+class Avi final : public Impulses {
  public:
   /// steps: > 0 and finite; see above. Elements of equal steps share a clock and run together.
   /// Throws std::invalid_argument for steps of another shape, and for a law that is not the gradient of a potential
   /// energy in the positions alone.
   Avi(const System<double>& system, const ElementSteps& steps);
-  ~Avi() override;
-
-  /// `until` and frames lie between impulses: positions are those of the straight lines; velocities have of each last
-  /// impulse h_K F_K what belongs to times up to t,
-  ///     v(t) = v - sum_K (1/2 - (t - t_K)/h_K) h_K F_K / m.
-  /// The clocks go on as if nobody had looked: as long as it is handed the state that it gave, a run to 1 and on to 2
-  /// gives the bits of a run to 2. Any other state begins anew, with half an impulse of every element.
-  ///
-  /// A step, for max_steps and observers, lasts from one impulse to the next, whosever it is. Events need one clock for
-  /// all: they are refused. Throws std::invalid_argument as Schedule::run does, and for events.
-  Report run(State<double>& state, double until, const RunOptions& options) override;
-
-  /// An update is one impulse on one particle; a force evaluation of an element is one element coefficient.
-  const Work& work() const override { return work_; }
-
- private:
-  class Between;
-  struct Clock;
-  struct Due {
-    double time;
-    int clock;
-    friend bool operator>(const Due& a, const Due& b) {
-      return a.time > b.time || (a.time == b.time && a.clock > b.clock);
-    }
-  };
-
-  void add_clock(const System<double>& system, double step, const std::vector<std::vector<int>>& members);
-  bool continues(const State<double>& state) const;
-  bool begin(const State<double>& state, Report& report);
-  bool is_due(double time) const { return reach() <= time; }
-  double reach() const;
-  double next_time() const;
-  bool next_impulses(const RunOptions& options, Report& report);
-  bool drift(const Clock& clock, double time, const RunOptions& options, Report& report);
-  bool push(Clock& clock, double time, double share, Report& report);
-  bool schedule(int clock, Report& report);
-  State<double> at(double time) const;
-
-  int dimension_, stride_;
-  std::vector<double> push_;   // 1/m, 0 of fixed particles
-  std::vector<Clock> clocks_;  // shortest step first
-  std::vector<Due> due_;       // a heap: who rings next, ties by number
-  // Padded rows: positions and velocities at the particles' own times; forces, of which nobody reads those on fixed ones.
-  AlignedVector<double> x_, v_, f_;
-  std::vector<double> own_time_;  // [s]
-  double origin_ = 0, last_ = 0;  // [s]: when the clocks were started, when the last one rang
-  State<double> handed_out_;
-  Work work_;
 };
 
 }  // namespace jetlag

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Steps that nest, none of them long enough to resonate.
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "jetlag/control/courant.hpp"
+
+namespace jetlag {
+
+/// The shortest step h times powers of two, with  (2^l h) omega_h <= most,  omega_h = 2/h asin(h omega / 2),
+/// omega = frequency_bound(system).
+class NestedSteps {
+ public:
+  /// shortest: h [s]. Throws std::invalid_argument where it is beyond 2/omega, and where no element has a stiffness.
+  NestedSteps(const System<double>& system, double shortest, double most)
+      : shortest_(shortest), longest_(shortest) {
+    const double omega = frequency_bound(system);
+    if (omega == 0)
+      throw std::invalid_argument(
+          "without_resonance: no element has a stiffness, so that no frequency is known");
+    if (!(shortest * omega < 2))
+      throw std::invalid_argument("without_resonance: the shortest step is " + std::to_string(shortest) +
+                                  "; must be below 2/omega = " + std::to_string(2 / omega));
+    const double omega_h = 2 / shortest * std::asin(shortest * omega / 2);
+    while (2 * longest_ * omega_h <= most) longest_ *= 2;
+  }
+
+  /// The longest of them that is not longer than `step`.
+  double operator()(double step) const {
+    double nested = shortest_;
+    while (2 * nested <= std::min(step, longest_)) nested *= 2;
+    return nested;
+  }
+
+ private:
+  double shortest_, longest_;
+};
+
+}  // namespace jetlag
