@@ -3,6 +3,7 @@
 
 #include "studies/avi_drift.hpp"
 #include "studies/collapse.hpp"
+#include "studies/hard_cases.hpp"
 #include "studies/long_runs.hpp"
 #include "studies/mass_ratio.hpp"
 #include "studies/paper_figures.hpp"
@@ -22,6 +23,7 @@ void add_studies(CLI::App& app, std::optional<Study>& chosen) {
   add_reference_table(*study, chosen);
   add_long_runs(*study, chosen);
   add_speed_against_error(*study, chosen);
+  add_hard_cases(*study, chosen);
   add_stability(app, chosen);
   add_ruler_table(*study, chosen);
   add_collapse(*study, chosen);

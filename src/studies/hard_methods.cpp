@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+// The methods, their runs, and the table.
+#include <fmt/format.h>
+#include <time.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+#include <memory>
+
+#include "jetlag/motion/energy.hpp"
+#include "jetlag/output/files.hpp"
+#include "jetlag/scenes/error.hpp"
+#include "scenes/parts.hpp"
+#include "studies/command_line.hpp"
+#include "studies/hard_cases.hpp"
+
+namespace jetlag {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double processor_seconds() {
+  timespec t;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+HardMethod stepped(std::string name, Json integrator) {
+  return {std::move(name), std::move(integrator), {{"type", "fixed"}}, {}, true};
+}
+HardMethod chosen_steps(std::string name, Json integrator, Json control, Json schedule = {}) {
+  return {std::move(name), std::move(integrator), std::move(control), std::move(schedule)};
+}
+
+/// The largest distance of a particle from where it began.
+double extent(const HardCase& hard) {
+  const double moved = (hard.end - hard.initial.position).rowwise().norm().maxCoeff();
+  return std::max(moved, hard.end.rowwise().norm().maxCoeff());
+}
+
+int moving_elements(const System<double>& system) {
+  std::size_t count = 0;
+  for (const auto& elements : system.elements()) count += elements.count();
+  return static_cast<int>(count);
+}
+
+}  // namespace
+
+std::vector<HardMethod> hard_methods() {
+  const Json leapfrog = {{"type", "leapfrog"}}, rk4 = {{"type", "rk4"}};
+  return {
+      chosen_steps("taylor 20, jorba_zou", {{"type", "taylor"}, {"degree", 20}}, {{"type", "jorba_zou"}}),
+      chosen_steps("the same, compensated", {{"type", "taylor"}, {"degree", 20}, {"compensated", true}},
+                   {{"type", "jorba_zou"}}),
+      stepped("taylor 8", {{"type", "taylor"}, {"degree", 8}}),
+      stepped("random_taylor, m = 7, ruler 2", {{"type", "random_taylor"},
+                                                {"min_degree", 7},
+                                                {"max_degree", 16},
+                                                {"probability", 0.5},
+                                                {"draws", "ruler"}}),
+      chosen_steps(
+          "random_taylor, m = 6, variance",
+          {{"type", "random_taylor"}, {"min_degree", 6}, {"max_degree", 16}, {"probability", 0.5}},
+          {{"type", "variance"}, {"step", 1e-4}, {"tolerance_random", 1e-9}, {"tolerance_bias", 1e-9}}),
+      chosen_steps("taylor 12, block", {{"type", "taylor"}, {"degree", 12}},
+                   {{"type", "last_two"}, {"tolerance", 1e-11}}, {{"type", "block"}}),
+      chosen_steps("taylor 8, asynchronous", {{"type", "taylor"}, {"degree", 8}},
+                   {{"type", "last_two"}, {"tolerance", 1e-11}}, {{"type", "asynchronous"}}),
+      stepped("avi", {{"type", "avi"}}),
+      stepped("leapfrog", leapfrog),
+      stepped("symplectic_euler", {{"type", "symplectic_euler"}}),
+      stepped("euler", {{"type", "euler"}}),
+      stepped("rk4", rk4),
+      chosen_steps("dopri5, 1e-10", {{"type", "dopri5"}}, {{"type", "embedded"}, {"tolerance", 1e-10}}),
+      chosen_steps("dop853, 1e-12", {{"type", "dop853"}}, {{"type", "embedded"}, {"tolerance", 1e-12}}),
+      chosen_steps("gauss_radau", {{"type", "gauss_radau"}}, {{"type", "embedded"}}),
+      chosen_steps("hermite, aarseth", {{"type", "hermite"}}, {{"type", "aarseth"}, {"accuracy", 1e-4}}),
+      stepped("implicit_midpoint", {{"type", "implicit_midpoint"}}),
+      stepped("newmark", {{"type", "newmark"}}),
+      stepped("conrad, rk4", {{"type", "conrad"}, {"inner", rk4}, {"order", 4}, {"sigma", 1.0}}),
+      stepped("random_step, leapfrog", {{"type", "random_step"}, {"inner", leapfrog}, {"order", 2}}),
+      stepped("exponential_step", {{"type", "exponential_step"}}),
+  };
+}
+
+HardResult run_hard_case(const HardCase& hard, const HardMethod& method, double evaluations, double limit) {
+  using Verdict = HardResult::Verdict;
+  Json json = {{"integrator", method.integrator}, {"control", method.control}};
+  if (!method.schedule.is_null()) json["schedule"] = method.schedule;
+  const auto read = [&](double step) {
+    Json copy = json;
+    if (method.has_step) copy["control"]["step"] = step;
+    const Value scene(copy, "");
+    scene.only({"integrator", "control", "schedule"});
+    return read_method(scene, hard.system, 1);
+  };
+  HardResult result;
+  result.verdict = Verdict::refused;
+  result.error = result.energy_error = std::numeric_limits<double>::quiet_NaN();
+  State<double> state = hard.initial;
+  const double start = processor_seconds();
+  try {
+    const double each = method.has_step ? read(1e-3).mean_orders : 1.0;
+    const auto schedule = read(hard.until / std::max(1.0, std::floor(evaluations / each))).schedule();
+    RunOptions options;
+    int calls = 0;
+    options.go_on = [&](double) { return ++calls % 64 != 0 || processor_seconds() - start < limit; };
+    const Report report = schedule->run(state, hard.until, options);
+    result.seconds = processor_seconds() - start;
+    result.evaluations =
+        static_cast<double>(schedule->work().element_coefficients) / moving_elements(*hard.system);
+    result.message = report.message;
+    if (report.outcome != Outcome::success) {
+      result.verdict = report.outcome == Outcome::interrupted ? Verdict::slow : Verdict::failed;
+      return result;
+    }
+  } catch (const std::invalid_argument& error) {  // SceneError among them
+    result.message = error.what();
+    return result;
+  }
+  result.error = (state.position - hard.end).rowwise().norm().maxCoeff() / extent(hard);
+  result.verdict = result.error <= 0.1 ? Verdict::accurate : Verdict::wrong;
+  EnergyMeter meter(*hard.system);
+  const bool conserves = std::ranges::all_of(
+      hard.system->elements(), [](const auto& elements) { return elements.law.energy.has_value(); });
+  if (conserves) {
+    const Energy before = meter(hard.initial);
+    const double size = std::max(std::abs(before.kinetic), std::abs(before.potential));
+    result.energy_error = std::abs(meter(state).total() - before.total()) / size;
+  }
+  return result;
+}
+
+namespace {
+
+struct Arguments {
+  std::vector<std::string> cases, methods;
+  double evaluations = 2e5, limit = 20;
+  std::filesystem::path folder = "out/hard_cases";
+};
+
+const char* word(HardResult::Verdict verdict) {
+  constexpr const char* words[] = {"accurate", "wrong", "failed", "too slow", "refused"};
+  return words[static_cast<int>(verdict)];
+}
+
+std::string shown(double value) { return std::isfinite(value) ? fmt::format("{:.1e}", value) : "-"; }
+
+/// The first clause of a message.
+std::string brief(const std::string& message) {
+  constexpr std::size_t most = 90;
+  return message.size() <= most ? message : message.substr(0, most) + "..";
+}
+
+/// One row a method, one column a case: the error, or what happened.
+std::string summary(const std::vector<HardCase>& cases, const std::vector<HardMethod>& methods,
+                    const std::vector<std::vector<HardResult>>& results) {
+  std::string text = "| method |";
+  for (const HardCase& hard : cases) text += ' ' + hard.name + " |";
+  text += "\n|---|";
+  for (std::size_t c = 0; c < cases.size(); ++c) text += "---|";
+  text += "\n";
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    text += "| " + methods[m].name + " |";
+    for (std::size_t c = 0; c < cases.size(); ++c) {
+      const HardResult& r = results[c][m];
+      const bool ended =
+          r.verdict == HardResult::Verdict::accurate || r.verdict == HardResult::Verdict::wrong;
+      text += ended ? fmt::format(" {:.0e} |", r.error) : fmt::format(" {} |", word(r.verdict));
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+template <class Named>
+std::vector<Named> named(std::vector<Named> all, const std::vector<std::string>& names) {
+  if (!names.empty())
+    std::erase_if(all, [&](const Named& one) {
+      return std::ranges::none_of(names, [&](const std::string& name) { return one.name.starts_with(name); });
+    });
+  return all;
+}
+
+int run_study(const Arguments& arguments) {
+  const auto cases = named(hard_cases(), arguments.cases);
+  const auto methods = named(hard_methods(), arguments.methods);
+  if (cases.empty() || methods.empty()) {
+    fmt::print(stderr, "no {} begins with such a name\n", cases.empty() ? "case" : "method");
+    return bad_input;
+  }
+  std::vector<std::vector<HardResult>> results;
+  std::string csv = "case,method,verdict,error,energy_error,evaluations,seconds,message\n";
+  for (const HardCase& hard : cases) {
+    fmt::print("\n{}: {}; until {:.6g} s\n\n", hard.name, hard.difficulty, hard.until);
+    fmt::print("{:<32} {:<9} {:>9} {:>9} {:>12} {:>9}\n", "method", "", "error", "energy", "evaluations",
+               "CPU [s]");
+    auto& of_case = results.emplace_back();
+    for (const HardMethod& method : methods) {
+      const HardResult& r =
+          of_case.emplace_back(run_hard_case(hard, method, arguments.evaluations, arguments.limit));
+      fmt::print("{:<32} {:<9} {:>9} {:>9} {:>12.4g} {:>9.2g}  {}\n", method.name, word(r.verdict),
+                 shown(r.error), shown(r.energy_error), r.evaluations, r.seconds, brief(r.message));
+      std::fflush(stdout);
+      std::string message = r.message;
+      std::ranges::replace(message, '"', '\'');
+      csv += fmt::format("\"{}\",\"{}\",{},{},{},{},{},\"{}\"\n", hard.name, method.name, word(r.verdict),
+                         std::isfinite(r.error) ? number(r.error) : "",
+                         std::isfinite(r.energy_error) ? number(r.energy_error) : "", number(r.evaluations),
+                         number(r.seconds), message);
+    }
+  }
+  const std::string table = summary(cases, methods, results);
+  fmt::print("\nerror of the positions, in extents of the motion\n\n{}", table);
+  std::filesystem::create_directories(arguments.folder);
+  write_file(arguments.folder / "hard_cases.csv", csv);
+  write_file(arguments.folder / "hard_cases.md", table);
+  fmt::print("\n{}\n{}\n", (arguments.folder / "hard_cases.csv").string(),
+             (arguments.folder / "hard_cases.md").string());
+  return 0;
+}
+
+}  // namespace
+
+void add_hard_cases(CLI::App& study, std::optional<Study>& chosen) {
+  auto* command = study.add_subcommand("hard_cases", "every method on motions that break methods");
+  auto arguments = std::make_shared<Arguments>();
+  command->add_option("--case", arguments->cases, "only cases whose names begin so, as H5");
+  command->add_option("--method", arguments->methods, "only methods whose names begin so");
+  command
+      ->add_option("--evaluations", arguments->evaluations,
+                   "force evaluations that a method with a fixed step may spend on a case")
+      ->check(CLI::Range(1.0, 1e9))
+      ->capture_default_str();
+  command->add_option("--limit", arguments->limit, "processor time after which a run is stopped [s]")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_option("--out", arguments->folder, "folder for the tables")->capture_default_str();
+  command->callback([&chosen, arguments] { chosen = [arguments] { return run_study(*arguments); }; });
+}
+
+}  // namespace jetlag
