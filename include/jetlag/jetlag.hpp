@@ -38,6 +38,7 @@
 #include "jetlag/schedule/block.hpp"
 #include "jetlag/schedule/events.hpp"
 #include "jetlag/schedule/lockstep.hpp"
+#include "jetlag/schedule/qss.hpp"
 #include "jetlag/schedule/record.hpp"
 #include "jetlag/series/comparisons.hpp"
 #include "jetlag/series/composition.hpp"

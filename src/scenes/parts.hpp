@@ -67,6 +67,9 @@ Method read_clocks(const Value& scene, const Value& schedule, std::shared_ptr<co
 /// The same for {"type": "avi"}, which has a clock for each element.
 Method read_avi(const Value& scene, std::shared_ptr<const System<double>> system);
 
+/// The same for {"type": "qss1"}, "qss2" and "qss3", which have a clock for each component of the state.
+Method read_qss(const Value& scene, std::shared_ptr<const System<double>> system);
+
 /// Runs f; a std::invalid_argument becomes a SceneError about `value`.
 template <class F>
 auto checked(const Value& value, F f) {

@@ -303,7 +303,10 @@ struct IntegratorReader {
 constexpr IntegratorReader integrators[] = {{"taylor", read_taylor},
                                             {"random_taylor", read_random_taylor},
                                             {"leapfrog", read_leapfrog},
-                                            {"avi", nullptr},  // brings its own schedule: read_avi
+                                            {"avi", nullptr},   // brings its own schedule: read_avi
+                                            {"qss1", nullptr},  // and so do these: read_qss
+                                            {"qss2", nullptr},
+                                            {"qss3", nullptr},
                                             {"symplectic_euler", read_symplectic_euler},
                                             {"euler", read_runge_kutta<euler>},
                                             {"rk4", read_runge_kutta<rk4>},
@@ -337,7 +340,8 @@ IntegratorFactory read_inner(const MethodArguments& arguments) {
 Method read_method(const Value& scene, std::shared_ptr<const System<double>> system, std::uint64_t seed) {
   const Value integrator = scene.at("integrator");
   if (!integrator.is_object()) integrator.refuse("an object with a type");
-  if (!chosen(integrator, integrators).read) return read_avi(scene, std::move(system));
+  if (const auto& known = chosen(integrator, integrators); !known.read)
+    return (std::string(known.type) == "avi" ? read_avi : read_qss)(scene, std::move(system));
   const Value schedule = scene.at("schedule", Json{{"type", "lockstep"}});
   if (schedule.at("type", "lockstep").one_of({"lockstep", "block", "asynchronous"}) != "lockstep")
     return read_clocks(scene, schedule, std::move(system), seed);
