@@ -18,6 +18,7 @@
 #include "jetlag/integrators/gauss_radau.hpp"
 #include "jetlag/integrators/hermite.hpp"
 #include "jetlag/integrators/implicit.hpp"
+#include "jetlag/integrators/implicit_subcycling.hpp"
 #include "jetlag/integrators/leapfrog.hpp"
 #include "jetlag/integrators/random_ensemble.hpp"
 #include "jetlag/integrators/random_step.hpp"

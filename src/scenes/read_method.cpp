@@ -255,6 +255,14 @@ IntegratorFactory read_implicit(const MethodArguments& arguments) {
                          [system = arguments.system, step] { return std::make_unique<M>(*system, step); });
 }
 
+IntegratorFactory read_subcycled_implicit(const MethodArguments& arguments) {
+  const auto options = read_implicit_subcycling(arguments.integrator, read_step_without_courant(arguments),
+                                                arguments.system->particles());
+  return one_step_method(arguments, 4.0 * options.ratio, [system = arguments.system, options] {
+    return std::make_unique<ImplicitSubcycling>(*system, options);
+  });
+}
+
 /// "inner": a deterministic method, for steps of any length.
 IntegratorFactory read_inner(const MethodArguments& arguments);
 
@@ -316,6 +324,7 @@ constexpr IntegratorReader integrators[] = {{"taylor", read_taylor},
                                             {"hermite", read_hermite},
                                             {"implicit_midpoint", read_implicit<ImplicitMidpoint>},
                                             {"newmark", read_implicit<Newmark>},
+                                            {"implicit_subcycling", read_subcycled_implicit},
                                             {"conrad", read_conrad},
                                             {"random_step", read_random_step},
                                             {"exponential_step", read_exponential_step}};
