@@ -38,7 +38,8 @@ class NewtonSolver {
     put(state.velocity, 0, velocity_);
     return order(0);
   }
-  /// da/dx u + da/dv w at the state of the last acceleration.
+  /// da/dx u + da/dv w at the state of the last acceleration. Fixed particles go in no direction: else the pivots of a
+  /// stiff step would mix their rows with others, and they would move by a rounding.
   Coordinates<double> derivative(const Coordinates<double>& u, const Coordinates<double>& w) {
     put(u, 1, position_);
     put(w, 1, velocity_);
@@ -49,7 +50,8 @@ class NewtonSolver {
   std::size_t rows() const { return static_cast<std::size_t>(particles_) * stride_; }
   void put(const Coordinates<double>& c, int k, AlignedVector<double>& into) const {
     for (int i = 0; i < particles_; ++i)
-      for (int j = 0; j < dimension_; ++j) into[k * rows() + i * stride_ + j] = c(i, j);
+      for (int j = 0; j < dimension_; ++j)
+        into[k * rows() + i * stride_ + j] = k > 0 && inverse_mass_[i] == 0 ? 0.0 : c(i, j);
   }
   Coordinates<double> order(int k) {
     std::ranges::fill(force_, 0.0);

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "jetlag/integrators/implicit_subcycling.hpp"
 #include "jetlag/scenes/mesh.hpp"
 #include "jetlag/scenes/scene.hpp"
 #include "jetlag/truncation/draws.hpp"
@@ -79,6 +80,12 @@ std::vector<bool> read_partition(const Value& list, const System<double>& system
 
 /// "implicit" of explicit_implicit with steps `step` [s]: a list of particles or "courant". Shape (particles).
 std::vector<bool> read_implicit_particles(const Value& integrator, const System<double>& system, double step);
+
+/// The same for {"type": "qss1"}, "qss2" and "qss3", which have a clock for each component of the state.
+Method read_qss(const Value& scene, std::shared_ptr<const System<double>> system);
+
+/// "coarse" and "ratio" of {"type": "implicit_subcycling"}.
+ImplicitSubcycling::Options read_implicit_subcycling(const Value& integrator, double step, int particles);
 
 /// Runs f; a std::invalid_argument becomes a SceneError about `value`.
 template <class F>

@@ -265,6 +265,14 @@ IntegratorFactory read_explicit_implicit(const MethodArguments& arguments) {
   });
 }
 
+IntegratorFactory read_subcycled_implicit(const MethodArguments& arguments) {
+  const auto options = read_implicit_subcycling(arguments.integrator, read_step_without_courant(arguments),
+                                                arguments.system->particles());
+  return one_step_method(arguments, 4.0 * options.ratio, [system = arguments.system, options] {
+    return std::make_unique<ImplicitSubcycling>(*system, options);
+  });
+}
+
 /// "inner": a deterministic method, for steps of any length.
 IntegratorFactory read_inner(const MethodArguments& arguments);
 
@@ -316,6 +324,9 @@ constexpr IntegratorReader integrators[] = {{"taylor", read_taylor},
                                             {"leapfrog", read_leapfrog},
                                             {"avi", nullptr, read_avi},
                                             {"subcycling", nullptr, read_subcycling},
+                                            {"qss1", nullptr, read_qss},
+                                            {"qss2", nullptr, read_qss},
+                                            {"qss3", nullptr, read_qss},
                                             {"symplectic_euler", read_symplectic_euler},
                                             {"euler", read_runge_kutta<euler>},
                                             {"rk4", read_runge_kutta<rk4>},
@@ -326,6 +337,7 @@ constexpr IntegratorReader integrators[] = {{"taylor", read_taylor},
                                             {"implicit_midpoint", read_implicit<ImplicitMidpoint>},
                                             {"newmark", read_implicit<Newmark>},
                                             {"explicit_implicit", read_explicit_implicit},
+                                            {"implicit_subcycling", read_subcycled_implicit},
                                             {"conrad", read_conrad},
                                             {"random_step", read_random_step},
                                             {"exponential_step", read_exponential_step}};

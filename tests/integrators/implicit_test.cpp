@@ -104,6 +104,23 @@ TEST(Implicit, FollowsDrag) {
   }
 }
 
+TEST(Implicit, LeavesFixedParticlesAtRestInStiffSteps) {
+  // h w = 200: the entry of the wall in the row of its neighbour is 1e4 times as large as that in its own.
+  System<double> system(1, {1.0, 1.0});
+  system.fix(0);
+  system.add<Spring>({{0, 1}}, {{1e4, 1.0}});
+  State<double> start{0.0, Coordinates<double>::Zero(2, 1), Coordinates<double>::Zero(2, 1)};
+  start.position(1, 0) = 1.00001;
+  for (const bool newmark : {false, true}) {
+    std::unique_ptr<Integrator> method = std::make_unique<ImplicitMidpoint>(system, 2.0);
+    if (newmark) method = std::make_unique<Newmark>(system, 2.0);
+    State<double> state = start;
+    ASSERT_EQ(Lockstep(std::move(method)).run(state, 100.0, {}).outcome, Outcome::success);
+    EXPECT_EQ(state.position(0, 0), 0.0);
+    EXPECT_EQ(state.velocity(0, 0), 0.0);
+  }
+}
+
 TEST(Implicit, LargeScenesAreSolvedWithoutAMatrix) {
   // A chain of 60 particles in two dimensions (120 unknowns) at h w = 20: the energy of a quadratic potential stays.
   const int n = 60;

@@ -23,6 +23,7 @@
 #include "jetlag/integrators/gauss_radau.hpp"
 #include "jetlag/integrators/hermite.hpp"
 #include "jetlag/integrators/implicit.hpp"
+#include "jetlag/integrators/implicit_subcycling.hpp"
 #include "jetlag/integrators/leapfrog.hpp"
 #include "jetlag/integrators/random_step.hpp"
 #include "jetlag/integrators/rk4.hpp"
@@ -206,6 +207,17 @@ inline const std::vector<Method> methods = {
            std::vector<bool> implicit(system.particles());
            for (int i = 1; i < system.particles(); i += 2) implicit[i] = true;
            return std::make_unique<ExplicitImplicit>(system, step, implicit);
+         }},
+    {.name = "implicit_subcycling",  // a step is a cycle of two; every second particle is coarse
+     .order = 2,
+     .exact_degree = 2,
+     .symmetric = true,
+     .energy_bounded = true,
+     .make =
+         [](const System<double>& system, double step, std::uint64_t) {
+           ImplicitSubcycling::Options options{.step = step / 2, .ratio = 2, .coarse = {}};
+           for (int i = 1; i < system.particles(); i += 2) options.coarse.push_back(i);
+           return std::make_unique<ImplicitSubcycling>(system, options);
          }},
     taylor_method(2),
     taylor_method(3),

@@ -179,6 +179,22 @@ TEST(Scenes, TreatParticlesImplicitlyBeyondTheirLimit) {
   };
   EXPECT_EQ(x("\"courant\""), x("[1, 2]"));
   EXPECT_NE(x("\"courant\""), x("[1, 2, 3]"));
+TEST(Scenes, QuantizeTheStateAndShowItsClocks) {
+  // The quantum of velocities is that of positions, a second long, where nothing else is said.
+  const auto steps = [](const std::string& control) {
+    const Scene scene = load_scene(
+        "chain", {R"(integrator={"type": "qss2"})", "control=" + control, "until=1", "output.clocks=true"});
+    const RunResult result = run_scene(scene);
+    EXPECT_EQ(result.summary.outcome, Outcome::success);
+    EXPECT_EQ(result.summary.time, 1.0);
+    EXPECT_TRUE(result.clocks && !result.clocks->rows().empty());
+    for (const Update& update : result.clocks->rows()) EXPECT_GT(update.step, 0);
+    return result.summary.work.steps;
+  };
+  const auto same = steps(R"({"quantum": 1e-4})");
+  EXPECT_EQ(steps(R"({"type": "quantum", "quantum": 1e-4, "velocity_quantum": 1e-4})"), same);
+  EXPECT_LT(steps(R"({"quantum": 1e-4, "velocity_quantum": 1e-3})"), same);
+  EXPECT_GT(steps(R"({"quantum": 1e-4, "velocity_quantum": 1, "max_step": 1e-4})"), 10000u);
 }
 
 TEST(Scenes, SameSeedSameBitsOtherSeedOtherBits) {
