@@ -26,11 +26,13 @@ Elements<double> part_of(const Elements<double>& group,
 }  // namespace
 
 ElementJacobian::ElementJacobian(const System<double>& system,
-                                 const std::function<bool(std::span<const int>)>& wanted)
+                                 const std::function<bool(std::span<const int>)>& wanted,
+                                 const std::function<bool(int)>& column)
     : particles_(system.particles()),
       dimension_(system.dimension()),
       stride_(padded(system.dimension())),
       touched_(particles_, false),
+      fixed_(system.fixed()),
       rows_(particles_) {
   std::vector<std::set<int>> neighbours(particles_);
   for (const auto& group : system.elements()) {
@@ -52,7 +54,7 @@ ElementJacobian::ElementJacobian(const System<double>& system,
   // Greedily: the first colour that none of those has upon whom a neighbour acts.
   std::vector<int> colour(particles_, -1);
   for (int i = 0; i < particles_; ++i) {
-    if (!touched_[i] || system.fixed()[i]) continue;
+    if (!touched_[i] || system.fixed()[i] || !column(i)) continue;
     rows_[i] = {i};
     rows_[i].insert(rows_[i].end(), neighbours[i].begin(), neighbours[i].end());
     std::set<int> taken;
@@ -86,6 +88,13 @@ void ElementJacobian::run(int k) {
   }
 }
 
+Coordinates<double> ElementJacobian::result() const {
+  Coordinates<double> force(particles_, dimension_);
+  for (int i = 0; i < particles_; ++i)
+    for (int c = 0; c < dimension_; ++c) force(i, c) = f_[i * stride_ + c];
+  return force;
+}
+
 Coordinates<double> ElementJacobian::force(const State<double>& state) {
   time_ = state.time;
   for (int i = 0; i < particles_; ++i)
@@ -94,10 +103,20 @@ Coordinates<double> ElementJacobian::force(const State<double>& state) {
       v_[i * stride_ + c] = state.velocity(i, c);
     }
   run(0);
-  Coordinates<double> force(particles_, dimension_);
+  return result();
+}
+
+Coordinates<double> ElementJacobian::product(const Coordinates<double>& u, const Coordinates<double>& w) {
+  double *const x = x_.data() + f_.size(), *const v = v_.data() + f_.size();
   for (int i = 0; i < particles_; ++i)
-    for (int c = 0; c < dimension_; ++c) force(i, c) = f_[i * stride_ + c];
-  return force;
+    for (int c = 0; c < dimension_; ++c) {
+      x[i * stride_ + c] = fixed_[i] ? 0.0 : u(i, c);
+      v[i * stride_ + c] = fixed_[i] ? 0.0 : w(i, c);
+    }
+  run(1);
+  std::fill_n(x, f_.size(), 0.0);  // as `derivatives` expects them
+  std::fill_n(v, f_.size(), 0.0);
+  return result();
 }
 
 void ElementJacobian::derivatives(By by, std::vector<JacobianEntry>& entries) {

@@ -22,8 +22,11 @@ struct JacobianEntry {
 
 class ElementJacobian {
  public:
-  /// wanted(particles of an element): whether it is one of them.
-  ElementJacobian(const System<double>& system, const std::function<bool(std::span<const int>)>& wanted);
+  /// wanted(particles of an element): whether it is one of them. column(particle): whether `derivatives` are wanted by
+  /// its position and velocity; of all that move where it is left out.
+  ElementJacobian(
+      const System<double>& system, const std::function<bool(std::span<const int>)>& wanted,
+      const std::function<bool(int)>& column = [](int) { return true; });
 
   /// Whether an element acts on a particle, and whether forces depend on velocities.
   bool touches(int particle) const { return touched_[particle]; }
@@ -31,6 +34,10 @@ class ElementJacobian {
 
   /// The forces at a state [N], shape (particles, dimension); those on fixed particles are among them.
   Coordinates<double> force(const State<double>& state);
+
+  /// dF/dx u + dF/dv w at the state of the last `force`, shapes (particles, dimension). Fixed particles go in no
+  /// direction.
+  Coordinates<double> product(const Coordinates<double>& u, const Coordinates<double>& w);
 
   /// Their derivatives at the state of the last `force`, by positions or by velocities of moving particles, on moving
   /// particles.
@@ -41,10 +48,11 @@ class ElementJacobian {
 
  private:
   void run(int k);
+  Coordinates<double> result() const;
 
   int particles_, dimension_, stride_;
   std::vector<ElementBlocks<double>> laws_;
-  std::vector<bool> touched_;
+  std::vector<bool> touched_, fixed_;
   bool reads_velocity_ = false;
   std::vector<std::vector<int>> rows_;     // moving particle: those that it acts upon, itself first
   std::vector<std::vector<int>> colours_;  // the particles of each

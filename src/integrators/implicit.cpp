@@ -1,91 +1,116 @@
 // SPDX-License-Identifier: MIT
 #include "jetlag/integrators/implicit.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
 
-#include "jetlag/motion/element_blocks.hpp"
+#include "integrators/element_jacobian.hpp"
+#include "integrators/linear_solver.hpp"
 
 namespace jetlag {
 
-/// a(t, x, v) and its derivative in a direction.
+/// a(t, x, v), its derivative in a direction, and the solution of a linearised step.
 class NewtonSolver {
  public:
   explicit NewtonSolver(const System<double>& system)
-      : particles_(system.particles()), dimension_(system.dimension()), stride_(padded(dimension_)) {
-    for (const auto& elements : system.elements())
-      if (elements.count() > 0) {
-        laws_.emplace_back(system, elements, elements.law.force, kernels<double>());
-        laws_.back().reserve(2);
-      }
-    for (int i = 0; i < particles_; ++i)
-      inverse_mass_.push_back(system.fixed()[i] ? 0.0 : 1.0 / system.mass()[i]);
-    position_.resize(2 * rows());
-    velocity_.resize(2 * rows());
-    force_.resize(rows());
+      : system_(system), all_(system, [](auto) { return true; }) {
+    inverse_mass_ = Eigen::VectorXd::Zero(particles());
+    for (int i = 0; i < particles(); ++i)
+      if (!system.fixed()[i]) inverse_mass_(i) = 1.0 / system.mass()[i];
   }
 
-  int particles() const { return particles_; }
-  int dimension() const { return dimension_; }
-  std::uint64_t element_coefficients() const { return element_coefficients_; }
+  int particles() const { return system_.particles(); }
+  int dimension() const { return system_.dimension(); }
+  std::uint64_t element_coefficients() const {
+    return all_.element_coefficients() + (part_ ? part_->element_coefficients() : 0) + earlier_;
+  }
 
   Coordinates<double> acceleration(const State<double>& state) {
-    time_ = state.time;
-    put(state.position, 0, position_);
-    put(state.velocity, 0, velocity_);
-    return order(0);
+    return inverse_mass_.asDiagonal() * all_.force(state);
   }
   /// da/dx u + da/dv w at the state of the last acceleration. Fixed particles go in no direction: else the pivots of a
   /// stiff step would mix their rows with others, and they would move by a rounding.
   Coordinates<double> derivative(const Coordinates<double>& u, const Coordinates<double>& w) {
-    put(u, 1, position_);
-    put(w, 1, velocity_);
-    return order(1);
+    return inverse_mass_.asDiagonal() * all_.product(u, w);
+  }
+
+  /// d with (1 - r (da/dx p + da/dv q)) d = b at the state of the last acceleration, in the unknown components, which are those of whole particles;
+  /// zero in the others.
+  Coordinates<double> solve(const State<double>& state, const std::vector<Eigen::Index>& unknown, double r,
+                            const Eigen::VectorXd& p, const Eigen::VectorXd& q,
+                            const Coordinates<double>& b) {
+    ElementJacobian& jacobian = jacobian_of(unknown, state);
+    entries_.clear();
+    const int n = static_cast<int>(unknown.size());
+    for (int i = 0; i < n; ++i) entries_.emplace_back(i, i, 1.0);
+    using By = ElementJacobian::By;
+    for (const auto& [by, factor] : {std::pair(By::position, &p), std::pair(By::velocity, &q)}) {
+      jacobian.derivatives(by, derivatives_);
+      for (const JacobianEntry& entry : derivatives_)
+        if (place_[entry.row] >= 0)
+          entries_.emplace_back(place_[entry.row], place_[entry.column],
+                                -r * inverse_mass_(entry.row / dimension()) *
+                                    (*factor)(entry.column / dimension()) * entry.value);
+    }
+    Eigen::VectorXd right(n);
+    for (int i = 0; i < n; ++i) right(i) = b.data()[unknown[i]];
+    const Eigen::VectorXd change = linear_.solve(n, entries_, right);
+    Coordinates<double> d = Coordinates<double>::Zero(b.rows(), b.cols());
+    for (int i = 0; i < n; ++i) d.data()[unknown[i]] = change(i);
+    return d;
   }
 
  private:
-  std::size_t rows() const { return static_cast<std::size_t>(particles_) * stride_; }
-  void put(const Coordinates<double>& c, int k, AlignedVector<double>& into) const {
-    for (int i = 0; i < particles_; ++i)
-      for (int j = 0; j < dimension_; ++j)
-        into[k * rows() + i * stride_ + j] = k > 0 && inverse_mass_[i] == 0 ? 0.0 : c(i, j);
-  }
-  Coordinates<double> order(int k) {
-    std::ranges::fill(force_, 0.0);
-    // A unit of time of 0: the time stands still along the direction.
-    const MotionRows<double> motion{position_.data() + k * rows(), velocity_.data() + k * rows(), rows(),
-                                    time_, 0.0};
-    for (auto& law : laws_) {
-      if (law.running(k, 1) == 0) continue;
-      for (std::size_t chunk = 0; chunk < law.chunks(); ++chunk) law.push(chunk, k, 1, motion, force_.data());
-      element_coefficients_ += law.count();
+  /// The Jacobian by the unknown components, at a state: of all elements, or of those that touch one of a few. Which ones
+  /// these are is the same in every step of a method.
+  ElementJacobian& jacobian_of(const std::vector<Eigen::Index>& unknown, const State<double>& state) {
+    if (unknown != unknown_ || place_.empty()) {
+      unknown_ = unknown;
+      place_.assign(static_cast<std::size_t>(particles()) * dimension(), -1);
+      for (std::size_t i = 0; i < unknown.size(); ++i) place_[unknown[i]] = static_cast<int>(i);
+      const auto is_unknown = [&](int particle) { return place_[particle * dimension()] >= 0; };
+      bool are_all = true;
+      for (int i = 0; i < particles(); ++i) are_all = are_all && (is_unknown(i) || system_.fixed()[i]);
+      if (part_) earlier_ += part_->element_coefficients();
+      part_ = are_all ? nullptr
+                      : std::make_unique<ElementJacobian>(
+                            system_, [&](auto members) { return std::ranges::any_of(members, is_unknown); },
+                            is_unknown);
     }
-    Coordinates<double> a(particles_, dimension_);
-    for (int i = 0; i < particles_; ++i)
-      for (int j = 0; j < dimension_; ++j)
-        a(i, j) = inverse_mass_[i] == 0 ? 0.0 : inverse_mass_[i] * force_[i * stride_ + j];
-    return a;
+    if (!part_) return all_;
+    part_->force(state);
+    return *part_;
   }
 
-  int particles_, dimension_, stride_;
-  std::vector<ElementBlocks<double>> laws_;
-  std::vector<double> inverse_mass_;
-  AlignedVector<double> position_, velocity_, force_;  // orders 0 and 1, padded rows
-  double time_ = 0;
-  std::uint64_t element_coefficients_ = 0;
+  System<double> system_;
+  ElementJacobian all_;
+  Eigen::VectorXd inverse_mass_;
+  std::vector<Eigen::Index> unknown_;
+  std::vector<int> place_;                 // of each component among the unknowns; -1: it is none
+  std::unique_ptr<ElementJacobian> part_;  // null: all
+  std::vector<JacobianEntry> derivatives_;
+  LinearSolver::Entries entries_;
+  LinearSolver linear_;
+  std::uint64_t earlier_ = 0;  // coefficients of Jacobians that are gone
 };
 
 namespace {
 
 double dot(const Coordinates<double>& a, const Coordinates<double>& b) { return a.cwiseProduct(b).sum(); }
 
+constexpr int few_products = 100;  // iterations, of two products each
+
+struct Iterated {
+  Coordinates<double> d;
+  bool converged;
+};
+
 /// BiCGSTAB for A d = b from d = 0, until the residual has fallen by 1e-10 or falls no more.
 /// Source: van der Vorst, SIAM J. Sci. Stat. Comput. 13 (1992) 631.
 template <class A>
-Coordinates<double> bicgstab(const A& multiply, const Coordinates<double>& b, int most) {
+Iterated bicgstab(const A& multiply, const Coordinates<double>& b, int most) {
   Coordinates<double> d = 0.0 * b, r = b, p = d, v = d;
   const Coordinates<double> shadow = b;
   double rho = 1, alpha = 1, omega = 1;
@@ -104,7 +129,7 @@ Coordinates<double> bicgstab(const A& multiply, const Coordinates<double>& b, in
     r = s - omega * t;
     if (omega == 0) break;
   }
-  return d;
+  return {d, r.norm() <= goal};  // false for what is not a number
 }
 
 }  // namespace
@@ -150,27 +175,19 @@ bool ImplicitMethod::solve(const Equations& equations, double begin, Coordinates
       if (!accelerations_(stage, again, report)) return false;
     }
     const Coordinates<double> residual = u - g - r * a;
-    Coordinates<double> d;
-    if (n <= dense_unknowns) {
-      Eigen::MatrixXd matrix(n, n);
-      d = Coordinates<double>::Zero(u.rows(), u.cols());
-      for (Eigen::Index k = 0; k < n; ++k) {
-        d.data()[unknown[k]] = 1;
-        const Coordinates<double> column = multiply(d);
-        for (Eigen::Index i = 0; i < n; ++i) matrix(i, k) = column.data()[unknown[i]];
-        d.data()[unknown[k]] = 0;
-      }
-      Eigen::VectorXd change(n);
-      for (Eigen::Index i = 0; i < n; ++i) change(i) = residual.data()[unknown[i]];
-      if (n > 0) change = matrix.partialPivLu().solve(change);
-      for (Eigen::Index i = 0; i < n; ++i) d.data()[unknown[i]] = change(i);
+    // A few products solve what is little stiff; a factorisation is dear, and solves the rest.
+    Iterated change_of{{}, false};
+    if (n > LinearSolver::dense_unknowns)
+      change_of =
+          bicgstab(multiply, residual, n <= factored_unknowns ? few_products : static_cast<int>(2 * n));
+    Coordinates<double>& d = change_of.d;
+    if (!change_of.converged && n <= factored_unknowns) {
+      d = solver_->solve(stage, unknown, r, equations.p, equations.q, residual);
       if (n < u.size()) {  // the others follow
         Coordinates<double> others = residual - multiply(d);
         for (const Eigen::Index i : unknown) others.data()[i] = 0;
         d += others;
       }
-    } else {
-      d = bicgstab(multiply, residual, static_cast<int>(2 * n));
     }
     other_element_coefficients_ = solver_->element_coefficients();
     if (!d.allFinite()) break;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "jetlag/integrators/implicit_subcycling.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +8,7 @@
 #include <stdexcept>
 
 #include "integrators/element_jacobian.hpp"
+#include "integrators/linear_solver.hpp"
 
 namespace jetlag {
 
@@ -17,25 +16,8 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using Triplets = std::vector<Eigen::Triplet<double>>;
+using Triplets = LinearSolver::Entries;
 using By = ElementJacobian::By;
-
-/// A^-1 B: by a dense factorisation for few unknowns, by a sparse one for many. Not finite where A is singular.
-MatrixXd solved(int n, const Triplets& entries, const MatrixXd& b) {
-  constexpr int dense_unknowns = 64;
-  if (n == 0) return b;
-  if (n <= dense_unknowns) {
-    MatrixXd a = MatrixXd::Zero(n, n);
-    for (const auto& entry : entries) a(entry.row(), entry.col()) += entry.value();
-    return a.partialPivLu().solve(b);
-  }
-  Eigen::SparseMatrix<double> a(n, n);
-  a.setFromTriplets(entries.begin(), entries.end());
-  Eigen::SparseLU<Eigen::SparseMatrix<double>> factors(a);
-  if (factors.info() != Eigen::Success)
-    return MatrixXd::Constant(n, b.cols(), std::numeric_limits<double>::quiet_NaN());
-  return factors.solve(b);
-}
 
 std::vector<bool> chosen(const System<double>& system, const std::vector<int>& particles) {
   std::vector<bool> is_chosen(system.particles(), false);
@@ -140,6 +122,7 @@ class SubcyclingSolver {
   std::vector<State<double>> states_;  // 0 .. ratio
   Coordinates<double> first_fine_, first_coarse_;
   std::vector<JacobianEntry> by_position_, by_velocity_;
+  LinearSolver fine_solver_, coarse_solver_;
 };
 
 /// All positions, and coarse velocities within the cycle, from the other velocities.
@@ -210,7 +193,7 @@ double SubcyclingSolver::improve() {
     };
     for (const auto& entry : by_position_) to_matrix(entry, dt_ / 2);
     for (const auto& entry : by_velocity_) to_matrix(entry, 1);
-    dv = solved(fine_unknowns_, matrix, right + dt_ / 2 * on_fine);
+    dv = fine_solver_.solve(fine_unknowns_, matrix, right + dt_ / 2 * on_fine);
     dx += dt_ / 2 * dv;
     const auto new_part = [&](const JacobianEntry& entry, double factor) {
       if (is_coarse(entry.column)) return;
@@ -243,7 +226,7 @@ double SubcyclingSolver::improve() {
     for (const auto& entry : by_position_)
       matrix.emplace_back(place_[entry.row], place_[entry.column], -h_ / 2 * factor * entry.value);
   }
-  const VectorXd change = solved(coarse_unknowns_, matrix, right);
+  const VectorXd change = coarse_solver_.solve(coarse_unknowns_, matrix, right);
 
   double most = change.size() > 0 ? change.cwiseAbs().maxCoeff() : 0.0;
   for_each(true, [&](int g, int p) { states_.back().velocity.data()[g] += change(p); });

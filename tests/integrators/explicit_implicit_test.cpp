@@ -198,15 +198,16 @@ TEST(ExplicitImplicit, MeetsDragByTheTrapezoidalRuleForBothKinds) {
 }
 
 TEST(ExplicitImplicit, SolvesForTheImplicitParticlesOnly) {
-  // Eleven linear links: at the beginning of the step, then twice, as the second change is rounding, the forces, a column
-  // for each of two implicit masses, and what these change of the others.
+  // Eleven linear links: at the beginning of the step, then twice, as the second change is rounding, the forces, and what
+  // the implicit masses change of the others; and of the three links that touch these two, forces and a column for each
+  // of the two masses.
   const Scene chain = half_stiff_chain();
   ExplicitImplicit method(chain.system, 0.009, from(9));
   State<double> state = chain.start;
   state.velocity(5, 0) = 1;
   Report report;
   ASSERT_EQ(method.step(state, 1.0, report), 0.009);
-  EXPECT_EQ(method.work().element_coefficients, 11u * (1 + 2 * (1 + 2 + 1)));
+  EXPECT_EQ(method.work().element_coefficients, 11u * (1 + 2 * (1 + 1)) + 3u * 2 * (1 + 2));
 }
 
 TEST(ExplicitImplicit, RefusesWhatIsNone) {

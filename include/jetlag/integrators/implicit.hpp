@@ -4,8 +4,9 @@
 // the exact Jacobian of the forces.
 //
 // The Jacobian comes from the tape: coefficient 1 of the forces along x(t) = x + t u, v(t) = v + t w is its product with
-// (u, w), for one order of every element. Up to `dense_unknowns` unknown components the matrix is assembled column by column and
-// factored; beyond, the equations are solved by BiCGSTAB with such products.
+// (u, w), for one order of every element. BiCGSTAB solves the equations with such products, without a matrix; where a
+// hundred of its iterations do not, and for few unknowns at once, the matrix is assembled, a colour of particles at a
+// time, and factored, dense or sparse. Beyond `factored_unknowns` unknown components there is no matrix.
 
 #include <memory>
 #include <vector>
@@ -23,7 +24,7 @@ class ImplicitMethod : public OneStep {
   ~ImplicitMethod() override;
   /// A parabola in the position, a line in the velocity: errors of O(h^3) and O(h^2) within a step.
   Piece piece() const override;
-  static constexpr int dense_unknowns = 96;
+  static constexpr int factored_unknowns = 20000;
 
  protected:
   ImplicitMethod(const System<double>& system, double step);
