@@ -25,6 +25,22 @@ Competitor random(const std::string& family, const std::string& name, int m, Jso
   return {family, name, integrator, fixed_step, true};
 }
 
+Competitor other(const char* family, std::string name, Json integrator, Json control) {
+  const bool has_step = control == fixed_step;
+  return {family, std::move(name), std::move(integrator), std::move(control), false, has_step, false};
+}
+
+Competitor clocks(const char* schedule, int degree, int digits) {
+  return {schedule,
+          fmt::format("degree {}, tolerance 1e-{}", degree, digits),
+          {{"type", "taylor"}, {"degree", degree}},
+          {{"type", "last_two"}, {"tolerance", std::pow(10.0, -digits)}},
+          false,
+          false,
+          true,
+          {{"type", schedule}}};
+}
+
 /// The geometric law with 1 - p = 1 / base, drawn in one of several ways.
 Competitor geometric(const std::string& draws, int m, double base) {
   return random(draws, fmt::format("m = {}, 1/(1-p) = {:.4g}", m, base), m,
@@ -55,20 +71,6 @@ std::vector<Competitor> competitors() {
     all.push_back(random("sequential", fmt::format("m = 3, target {:.0e}", target), 3,
                          {{"law", "sequential"}, {"target", target}}));
 
-  // What one would take otherwise.
-  for (const char* type : {"leapfrog", "rk4", "hermite", "dopri5", "dop853", "gauss_radau"})
-    all.push_back({"other methods", type, {{"type", type}}, fixed_step});
-  for (const char* type : {"dopri5", "dop853", "gauss_radau"})
-    for (int digits : {3, 5, 7, 9, 11}) {
-      const double tolerance = std::pow(10.0, -digits);
-      all.push_back({"other methods",
-                     fmt::format("{}, tolerance {:.0e}", type, tolerance),
-                     {{"type", type}},
-                     {{"type", "embedded"}, {"tolerance", tolerance}},
-                     false,
-                     false});
-    }
-
   // Steps that are chosen.
   all.push_back({"jorba_zou",
                  "jorba_zou",
@@ -88,6 +90,50 @@ std::vector<Competitor> competitors() {
       adaptive.has_step = false;
       all.push_back(adaptive);
     }
+  // A clock for each particle.
+  for (int degree : {8, 12, 16})
+    for (int digits : {4, 6, 8, 10, 12}) {
+      all.push_back(clocks("block", degree, digits));
+      if (degree == 8) all.push_back(clocks("asynchronous", degree, digits));
+    }
+
+  // What one would take otherwise.
+  for (const char* type : {"leapfrog", "symplectic_euler", "euler", "rk4", "hermite", "dopri5", "dop853",
+                           "gauss_radau", "implicit_midpoint", "newmark", "exponential_step"})
+    all.push_back(other(type, type, {{"type", type}}, fixed_step));
+  for (const char* type : {"dopri5", "dop853", "gauss_radau"})
+    for (int digits : {3, 5, 7, 9, 11}) {
+      const double tolerance = std::pow(10.0, -digits);
+      all.push_back(other(type, fmt::format("{}, tolerance {:.0e}", type, tolerance), {{"type", type}},
+                          {{"type", "embedded"}, {"tolerance", tolerance}}));
+    }
+  for (const char* accuracy : {"1e-2", "1e-3", "1e-4", "1e-5"})
+    all.push_back(other("hermite", fmt::format("hermite, accuracy {}", accuracy), {{"type", "hermite"}},
+                        {{"type", "aarseth"}, {"accuracy", std::stod(accuracy)}}));
+  all.push_back(other("explicit_implicit", "explicit_implicit, beyond their limit",
+                      {{"type", "explicit_implicit"}, {"implicit", "courant"}}, fixed_step));
+  for (double courant : {0.8, 0.4, 0.2, 0.1, 0.05}) {
+    const Json control = {{"type", "fixed"}, {"courant", courant}};
+    all.push_back(other("avi", fmt::format("avi, courant {}", courant), {{"type", "avi"}}, control));
+    all.push_back(other("subcycling", fmt::format("subcycling, courant {}", courant),
+                        {{"type", "subcycling"}, {"ratio", "courant"}}, control));
+  }
+  for (const auto& [type, digits] :
+       {std::pair("qss1", 2), {"qss1", 3}, {"qss2", 3}, {"qss2", 5}, {"qss3", 4}, {"qss3", 6}})
+    all.push_back(other("qss", fmt::format("{}, quantum 1e-{}", type, digits), {{"type", type}},
+                        {{"type", "quantum"}, {"quantum", std::pow(10.0, -digits)}}));
+  // Noise of the size of the method's own error; orders of the methods.
+  all.push_back(other("conrad", "conrad, rk4",
+                      {{"type", "conrad"}, {"inner", {{"type", "rk4"}}}, {"order", 4}, {"sigma", 1.0}},
+                      fixed_step));
+  all.push_back(other("random_step", "random_step, leapfrog",
+                      {{"type", "random_step"}, {"inner", {{"type", "leapfrog"}}}, {"order", 2}},
+                      fixed_step));
+  for (Competitor& competitor : all)
+    if (competitor.family == "conrad" || competitor.family == "random_step" ||
+        competitor.family == "exponential_step")
+      competitor.random = true;
+
   return all;
 }
 

@@ -14,6 +14,8 @@ struct Competitor {
   nlohmann::ordered_json integrator, control;
   bool random = false;   // differs from seed to seed
   bool has_step = true;  // control.step is to be filled in
+  bool is_taylor = true;
+  nlohmann::ordered_json schedule{};  // lockstep where null
 };
 
 std::vector<Competitor> competitors();

@@ -29,6 +29,8 @@ struct HardMethod {
   std::string name;
   nlohmann::ordered_json integrator, control, schedule;
   bool has_step = false;
+  std::string
+      last_particle_in;  // a list of the integrator that is filled in with the last particle that moves
 };
 std::vector<HardMethod> hard_methods();
 

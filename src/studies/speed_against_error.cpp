@@ -5,6 +5,7 @@
 #include <time.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -28,13 +29,16 @@ struct Arguments {
   std::vector<std::string> problems, scenes, families;
   std::filesystem::path folder = "out/speed_against_error";
   int seeds = 4, steps = 5;
+  double limit = 20;  // [s]
 };
 
 /// All runs of one method at one step.
 struct Row {
   std::string family, method;
+  bool is_taylor = true;
   double step = 0;  // [s]; 0: chosen by the method
   int seeds = 0, failed = 0;
+  bool slow = false;                                 // stopped at the limit
   double position_error = 0, energy_error = 0;       // root mean square over seeds; NaN where there is none
   double element_coefficients = 0, mean_degree = 0;  // mean over seeds
   double seconds = 0;  // processor time of one thread: mean over seeds of the least of three runs
@@ -49,10 +53,11 @@ double processor_seconds() {
 }
 
 /// step: filled in where the method has one.
-Row run(const TestProblem& problem, const Competitor& competitor, double step, int seeds) {
-  Row row{competitor.family, competitor.name, competitor.has_step ? step : 0.0};
+Row run(const TestProblem& problem, const Competitor& competitor, double step, int seeds, double limit) {
+  Row row{competitor.family, competitor.name, competitor.is_taylor, competitor.has_step ? step : 0.0};
   Json json = {{"integrator", competitor.integrator}, {"control", competitor.control}};
   if (competitor.has_step) json["control"]["step"] = step;
+  if (!competitor.schedule.is_null()) json["schedule"] = competitor.schedule;
   EnergyMeter energy(*problem.system);
   const double initial = energy(problem.initial).total();
   double squares = 0, energy_squares = 0;
@@ -64,7 +69,10 @@ Row run(const TestProblem& problem, const Competitor& competitor, double step, i
     const auto schedule = method.schedule();
     State<double> state = problem.initial;
     const double start = processor_seconds();
-    const Report report = schedule->run(state, problem.until, {});
+    RunOptions options;
+    int calls = 0;
+    options.go_on = [&](double) { return ++calls % 64 != 0 || processor_seconds() - start < limit; };
+    const Report report = schedule->run(state, problem.until, options);
     double seconds = processor_seconds() - start;
     for (int repeat = 0; repeat < 2 && seconds < longest_repeated; ++repeat) {
       const auto again = method.schedule();
@@ -74,8 +82,10 @@ Row run(const TestProblem& problem, const Competitor& competitor, double step, i
       seconds = std::min(seconds, processor_seconds() - begin);
     }
     ++row.seeds;
+    row.slow = row.slow || report.outcome == Outcome::interrupted;
     if (report.outcome != Outcome::success) {
       ++row.failed;
+      if (row.slow) break;
       continue;
     }
     const double error = distance(*problem.system, state.position, problem.end.position),
@@ -104,7 +114,9 @@ void print(const Row& row) {
              row.step > 0 ? shown(row.step, "{:.4g}") : "chosen", shown(row.position_error),
              shown(row.energy_error), shown(row.element_coefficients, "{:.4g}"), shown(row.seconds, "{:.3g}"),
              shown(row.mean_degree, "{:.2f}"),
-             row.failed > 0 ? fmt::format("   {} of {} runs failed", row.failed, row.seeds) : "");
+             row.slow         ? std::string("   too slow")
+             : row.failed > 0 ? fmt::format("   {} of {} runs failed", row.failed, row.seeds)
+                              : std::string());
   std::fflush(stdout);
 }
 
@@ -162,6 +174,16 @@ double extent(const TestProblem& problem) {
   return most > 0 ? most : 1.0;
 }
 
+void draw(const std::filesystem::path& picture, const TestProblem& problem,
+          const std::vector<WorkPrecision>& points) {
+  try {
+    draw_work_precision(picture, problem.description, points, problem.end_error, extent(problem));
+    fmt::print("{}\n", picture.string());
+  } catch (const std::runtime_error& error) {  // no run has an error that can be drawn
+    fmt::print("no picture: {}\n", error.what());
+  }
+}
+
 void compare(const TestProblem& problem, const Arguments& arguments, const std::vector<Competitor>& all) {
   fmt::print("\n{}: {}\nreference to {:.1e} m; errors are root mean squares over particles and {} seeds\n\n",
              problem.name, problem.description, problem.end_error, arguments.seeds);
@@ -170,7 +192,8 @@ void compare(const TestProblem& problem, const Arguments& arguments, const std::
   std::vector<Row> rows;
   for (const Competitor& competitor : all) try {
       for (int i = 0; i < (competitor.has_step ? arguments.steps : 1); ++i) {
-        rows.push_back(run(problem, competitor, std::ldexp(problem.largest_step, -i), arguments.seeds));
+        rows.push_back(
+            run(problem, competitor, std::ldexp(problem.largest_step, -i), arguments.seeds, arguments.limit));
         print(rows.back());
       }
     } catch (const SceneError& error) {  // not every method can do every problem
@@ -183,17 +206,19 @@ void compare(const TestProblem& problem, const Arguments& arguments, const std::
     fmt::print("gnuplot is not in PATH: no picture\n");
     return;
   }
-  std::vector<WorkPrecision> points;
-  for (const Row& row : rows)
-    if (row.position_error > 0 && std::isfinite(row.position_error))
-      points.push_back({row.family, row.position_error, row.element_coefficients, row.seconds});
-  const auto picture = arguments.folder / (problem.name + ".svg");
-  try {
-    draw_work_precision(picture, problem.description, points, problem.end_error, extent(problem));
-    fmt::print("{}\n", picture.string());
-  } catch (const std::runtime_error& error) {  // no run has an error that can be drawn
-    fmt::print("no picture: {}\n", error.what());
+  // One picture of Taylor's methods, with all others as one; one of the others, with the main ones of Taylor.
+  std::vector<WorkPrecision> taylor, methods;
+  for (const Row& row : rows) {
+    if (!(row.position_error > 0 && std::isfinite(row.position_error))) continue;
+    const WorkPrecision point{row.family, row.position_error, row.element_coefficients, row.seconds};
+    taylor.push_back(point);
+    if (!row.is_taylor) taylor.back().family = "other methods";
+    if (!row.is_taylor ||
+        std::ranges::count(std::array{"fixed degree", "ruler", "jorba_zou", "block"}, row.family))
+      methods.push_back(point);
   }
+  draw(arguments.folder / (problem.name + ".svg"), problem, taylor);
+  draw(arguments.folder / (problem.name + "_methods.svg"), problem, methods);
 }
 
 int run_study(const Arguments& arguments) {
@@ -240,8 +265,8 @@ std::vector<std::string> names_of_families() {
 }  // namespace
 
 void add_speed_against_error(CLI::App& study, std::optional<Study>& chosen) {
-  auto* command = study.add_subcommand(
-      "speed_against_error", "work against error of fixed and random degrees, as tables, CSV and pictures");
+  auto* command = study.add_subcommand("speed_against_error",
+                                       "work against error of all methods, as tables, CSV and pictures");
   auto arguments = std::make_shared<Arguments>();
   command->add_option("--problem", arguments->problems, "only these problems")
       ->check(CLI::IsMember(names_of_problems()));
@@ -254,6 +279,9 @@ void add_speed_against_error(CLI::App& study, std::optional<Study>& chosen) {
       ->capture_default_str();
   command->add_option("--steps", arguments->steps, "step lengths, each half of the one before")
       ->check(CLI::Range(1, 20))
+      ->capture_default_str();
+  command->add_option("--limit", arguments->limit, "processor time after which a run is stopped [s]")
+      ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command->add_option("--out", arguments->folder, "folder for tables and pictures")->capture_default_str();
   command->callback([&chosen, arguments] { chosen = [arguments] { return run_study(*arguments); }; });

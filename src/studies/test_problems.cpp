@@ -170,6 +170,7 @@ const std::vector<TestProblemEntry>& test_problems() {
       {"body", "a struck body of 4184 springs, no friction, t = 0.5 s",
        [] { return body_of_friction("0.0"); }},
       {"body_friction", "the same with friction 1", [] { return body_of_friction("1.0"); }},
+      {"stiff_spot", "fourteen masses, one stiff spring", [] { return of_built_in("stiff_spot", {}); }},
       {"cloth", "a 20 x 20 cloth, held at two corners, t = 1 s",
        [] { return of_built_in("cloth", {"until=1.0"}); }},
   };
