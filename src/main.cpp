@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The program: jetlag run | ensemble | scenes | show | check | study | stability.
+// The program: jetlag run | ensemble | scenes | show | check | methods | study | stability.
 //
 // Exit codes: 0 success; 1 a file cannot be written; 2 bad input, nothing is written; 3 the run did not reach its end.
 
@@ -17,6 +17,7 @@
 #include "jetlag/version.hpp"
 #include "studies/command_line.hpp"
 #include "studies/ensemble_command.hpp"
+#include "studies/methods_command.hpp"
 #include "studies/studies.hpp"
 
 namespace {
@@ -128,6 +129,7 @@ int main(int argc, char** argv) {
   scene.add_to(*check_command);
   std::optional<Study> study;
   add_ensemble(app, study);
+  add_methods(app, study);
   add_studies(app, study);
 
   try {

@@ -60,6 +60,9 @@ struct Method {
   bool at_least = false;  // mean_orders is a lower bound
 };
 Method read_method(const Value& scene, std::shared_ptr<const System<double>> system, std::uint64_t seed);
+/// The types of integrators and of schedules that exist; each but `lockstep` has a page in method_register.cpp.
+std::vector<std::string> integrator_types();
+std::vector<std::string> schedule_types();
 
 /// The same where the schedule has a clock for each particle: "control" may be left out.
 Method read_clocks(const Value& scene, const Value& schedule, std::shared_ptr<const System<double>> system,

@@ -314,6 +314,7 @@ IntegratorFactory read_exponential_step(const MethodArguments& arguments) {
   });
 }
 
+/// To add one, write its reader, add its line here and its page to method_register.cpp.
 struct IntegratorReader {
   const char* type;
   IntegratorFactory (*read)(const MethodArguments&);
@@ -359,12 +360,20 @@ IntegratorFactory read_inner(const MethodArguments& arguments) {
 
 }  // namespace
 
+std::vector<std::string> integrator_types() {
+  std::vector<std::string> types;
+  for (const IntegratorReader& reader : integrators) types.emplace_back(reader.type);
+  return types;
+}
+
+std::vector<std::string> schedule_types() { return {"lockstep", "block", "asynchronous"}; }
+
 Method read_method(const Value& scene, std::shared_ptr<const System<double>> system, std::uint64_t seed) {
   const Value integrator = scene.at("integrator");
   if (!integrator.is_object()) integrator.refuse("an object with a type");
   if (const auto read = chosen(integrator, integrators).own_schedule) return read(scene, std::move(system));
   const Value schedule = scene.at("schedule", Json{{"type", "lockstep"}});
-  if (schedule.at("type", "lockstep").one_of({"lockstep", "block", "asynchronous"}) != "lockstep")
+  if (schedule.at("type", "lockstep").one_of(schedule_types()) != "lockstep")
     return read_clocks(scene, schedule, std::move(system), seed);
   schedule.only({"type", "max_steps", "threads"});
   const auto most = std::numeric_limits<std::int64_t>::max();

@@ -18,7 +18,7 @@ namespace jetlag {
 /// The paper's method: the series is stopped at a random degree K and weighted so that it stays unbiased,
 ///     y(t + h) = sum_{n=0..K} w_n y_n h^n,   w_n = 1 / P(K >= n).
 /// Mean-square order min(N, m + 1/2), weak order min(N, 2m + 1), for y = (x, v) with `own_series`.
-/// With a fixed degree all weights are 1: Taylor's method of order N.
+/// With a fixed degree all weights are 1: Taylor's method of order N.   Source: [MX], with its weights corrected.
 ///
 /// A sequential law sees the sizes of the terms of the positions, the largest component [m] of all particles or, with a
 /// draw for each, of its particle; it is asked after each order, and no order is computed that is not needed. Where the
@@ -100,7 +100,7 @@ class RandomTaylor final : public Integrator {
   Work work_;
 };
 
-/// Taylor's method of a fixed degree N >= 1.
+/// Taylor's method of a fixed degree N >= 1:  y(t + h) = sum_{n=0..N} y_n h^n, of order N.   Source: [JZ05].
 std::unique_ptr<Integrator> taylor(const System<double>& system, int degree,
                                    std::unique_ptr<Control> control);
 

@@ -1,0 +1,93 @@
+# What the headers say of the methods, as C++: for each {"folder/header.hpp", "Symbol"} in the register the comment on top
+# of the header and the docstring (///) above the declaration of the symbol, word for word.
+# In: register (the list of pages), include (the folder that holds the headers), output (written); depfile (optional).
+
+cmake_minimum_required(VERSION 3.25)
+
+file(READ "${register}" entries)
+string(REGEX MATCHALL "{\"[a-z_]+/[a-z0-9_]+\\.hpp\",[ \n]*\"[A-Za-z0-9_]+\"}" pairs "${entries}")
+list(REMOVE_DUPLICATES pairs)
+if(NOT pairs)
+  message(FATAL_ERROR "${register}: no {\"folder/header.hpp\", \"Symbol\"} in it")
+endif()
+
+# The comment on top of `content`: what stands after #pragma once, without its slashes.
+# The docstring of `symbol`: the lines of /// directly above its declaration, which begins at the margin.
+function(read_comments content symbol top_name docstring_name found_name)
+  set(declaration "^[A-Za-z_][A-Za-z0-9_:<>&*, ]* ${symbol}([ ({]|$)")
+  set(place before)
+  set(found FALSE)
+  foreach(name top block docstring)
+    set(${name} "")
+  endforeach()
+  while(NOT content STREQUAL "")
+    string(FIND "${content}" "\n" end)
+    if(end EQUAL -1)
+      string(APPEND content "\n")
+      continue()
+    endif()
+    string(SUBSTRING "${content}" 0 ${end} line)
+    math(EXPR end "${end} + 1")
+    string(SUBSTRING "${content}" ${end} -1 content)
+    if(line STREQUAL "#pragma once")
+      set(place top)
+    elseif(place STREQUAL "top" AND line MATCHES "^//([^/]|$)")
+      string(REGEX REPLACE "^// ?" "" line "${line}")
+      string(APPEND top "${line}\n")
+    elseif(line STREQUAL "" AND NOT top STREQUAL "")
+      set(place below)
+      set(block "")
+    elseif(line MATCHES "^///")
+      string(REGEX REPLACE "^/// ?" "" line "${line}")
+      string(APPEND block "${line}\n")
+    elseif(line MATCHES "${declaration}")
+      set(found TRUE)
+      set(docstring "${block}")
+      break()
+    else()
+      set(block "")
+    endif()
+  endwhile()
+  set(${top_name} "${top}" PARENT_SCOPE)
+  set(${docstring_name} "${docstring}" PARENT_SCOPE)
+  set(${found_name} ${found} PARENT_SCOPE)
+endfunction()
+
+get_filename_component(register_file "${register}" NAME)
+set(generated "// Made by .cmake/method_docs.cmake from the headers that ${register_file} names.
+#include \"scenes/methods.hpp\"
+
+namespace jetlag {
+
+const std::vector<HeaderText>& header_texts() {
+  static const std::vector<HeaderText> texts = {
+")
+set(headers "")
+foreach(pair IN LISTS pairs)
+  string(REGEX MATCH "\"([^\"]+)\",[ \n]*\"([^\"]+)\"" pair "${pair}")
+  set(header "${CMAKE_MATCH_1}")
+  set(symbol "${CMAKE_MATCH_2}")
+  if(NOT EXISTS "${include}/${header}")
+    message(FATAL_ERROR "${register}: {\"${header}\", \"${symbol}\"}: there is no header ${include}/${header}")
+  endif()
+  file(READ "${include}/${header}" content)
+  read_comments("${content}" ${symbol} top docstring found)
+  if(NOT found)
+    message(FATAL_ERROR "${register}: {\"${header}\", \"${symbol}\"}: the header declares no ${symbol} at its margin")
+  endif()
+  if(top STREQUAL "")
+    message(FATAL_ERROR "${register}: {\"${header}\", \"${symbol}\"}: the header has no comment below #pragma once")
+  endif()
+  string(APPEND generated "      {\"${header}\", \"${symbol}\",\n       R\"doc(${top})doc\",\n       R\"doc(${docstring})doc\"},\n")
+  string(APPEND headers " ${include}/${header}")
+endforeach()
+string(APPEND generated "  };
+  return texts;
+}
+
+}  // namespace jetlag
+")
+file(WRITE "${output}" "${generated}")
+if(depfile)
+  file(WRITE "${depfile}" "${output}:${headers}\n")
+endif()
