@@ -38,6 +38,7 @@
 #include "jetlag/schedule/asynchronous.hpp"
 #include "jetlag/schedule/avi.hpp"
 #include "jetlag/schedule/block.hpp"
+#include "jetlag/schedule/event_driven.hpp"
 #include "jetlag/schedule/events.hpp"
 #include "jetlag/schedule/lockstep.hpp"
 #include "jetlag/schedule/qss.hpp"

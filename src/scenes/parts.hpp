@@ -88,7 +88,8 @@ std::vector<bool> read_implicit_particles(const Value& integrator, const System<
 Method read_qss(const Value& scene, std::shared_ptr<const System<double>> system);
 
 /// "coarse" and "ratio" of {"type": "implicit_subcycling"}.
-ImplicitSubcycling::Options read_implicit_subcycling(const Value& integrator, double step, int particles);
+ImplicitSubcycling::Options read_implicit_subcycling(const Value& integrator, double step,
+                                                     const System<double>& system);
 
 /// Runs f; a std::invalid_argument becomes a SceneError about `value`.
 template <class F>

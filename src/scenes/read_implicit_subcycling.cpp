@@ -4,15 +4,16 @@
 
 namespace jetlag {
 
-ImplicitSubcycling::Options read_implicit_subcycling(const Value& integrator, double step, int particles) {
+ImplicitSubcycling::Options read_implicit_subcycling(const Value& integrator, double step,
+                                                     const System<double>& system) {
   integrator.only({"type", "coarse", "ratio"});
   constexpr int most = 1000000;
   ImplicitSubcycling::Options options;
   options.step = step;
   options.ratio = static_cast<int>(integrator.at("ratio").integer(1, most));
-  const Value coarse = integrator.at("coarse");
-  for (std::size_t i = 0; i < coarse.size(); ++i)
-    options.coarse.push_back(static_cast<int>(coarse.at(i).integer(0, particles - 1)));
+  const std::vector<bool> coarse = read_partition(integrator.at("coarse"), system);
+  for (int i = 0; i < system.particles(); ++i)
+    if (coarse[i]) options.coarse.push_back(i);
   return options;
 }
 

@@ -266,8 +266,8 @@ IntegratorFactory read_explicit_implicit(const MethodArguments& arguments) {
 }
 
 IntegratorFactory read_subcycled_implicit(const MethodArguments& arguments) {
-  const auto options = read_implicit_subcycling(arguments.integrator, read_step_without_courant(arguments),
-                                                arguments.system->particles());
+  const auto options =
+      read_implicit_subcycling(arguments.integrator, read_step_without_courant(arguments), *arguments.system);
   return one_step_method(arguments, 4.0 * options.ratio, [system = arguments.system, options] {
     return std::make_unique<ImplicitSubcycling>(*system, options);
   });

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "jetlag/motion/element_blocks.hpp"
-#include "schedule/frames.hpp"
 
 namespace jetlag {
 
@@ -52,30 +51,9 @@ struct Impulses::Clock {
   std::vector<double> set_aside{};  // the positions of others at their own times: padded rows
 };
 
-/// What an observer sees of the motion between two impulses.
-class Impulses::Between final : public LastStep {
- public:
-  Between(const Impulses& motion, double begin, double end) : motion_(motion), begin_(begin), end_(end) {}
-
-  /// Straight lines; between impulses the velocity of `at` is linear in time.
-  Piece piece() const override {
-    const State<double> from = motion_.at(begin_), to = motion_.at(end_);
-    const double h = end_ - begin_;
-    return {begin_,
-            end_,
-            {from.position, (to.position - from.position) / h},
-            {from.velocity, (to.velocity - from.velocity) / h}};
-  }
-  const Work& work() const override { return motion_.work(); }
-
- private:
-  const Impulses& motion_;
-  double begin_, end_;
-};
-
 Impulses::Impulses(const System<double>& system, std::string name, std::string owner)
-    : name_(std::move(name)),
-      owner_(std::move(owner)),
+    : EventDriven(name + " has one for each " + owner, "take longer steps"),
+      name_(std::move(name)),
       dimension_(system.dimension()),
       stride_(padded(system.dimension())) {
   for (int i = 0; i < system.particles(); ++i)
@@ -123,19 +101,10 @@ State<double> Impulses::at(double time) const {
   return state;
 }
 
-bool Impulses::continues(const State<double>& state) const {
-  const auto same = [](const Coordinates<double>& a, const Coordinates<double>& b) {
-    return a.rows() == b.rows() && a.cols() == b.cols() && a == b;
-  };
-  return handed_out_.position.size() > 0 && state.time == handed_out_.time &&
-         same(state.position, handed_out_.position) && same(state.velocity, handed_out_.velocity);
-}
-
 /// Half an impulse of every clock.
 bool Impulses::begin(const State<double>& state, Report& report) {
   const std::size_t n = push_.size();
   require_shape(state, static_cast<int>(n), dimension_);
-  handed_out_ = {};
   origin_ = last_ = state.time;
   own_time_.assign(n, state.time);
   f_.assign(n * stride_, 0.0);
@@ -256,8 +225,18 @@ bool Impulses::push(Clock& clock, double time, double share, Report& report) {
   return true;
 }
 
+/// Straight lines; between impulses the velocity of `at` is linear in time.
+Piece Impulses::piece(double begin, double end) const {
+  const State<double> from = at(begin), to = at(end);
+  const double h = end - begin;
+  return {begin,
+          end,
+          {from.position, (to.position - from.position) / h},
+          {from.velocity, (to.velocity - from.velocity) / h}};
+}
+
 /// All clocks that ring at the next time, but for the rounding of times: 10 steps of 0.1 and one of 1 end together.
-bool Impulses::next_impulses(const RunOptions& options, Report& report) {
+bool Impulses::next_event(const RunOptions& options, Report& report) {
   const double now = next_time(), end = together();
   ++work_.steps;
   ringing_.clear();
@@ -279,50 +258,6 @@ bool Impulses::next_impulses(const RunOptions& options, Report& report) {
     if (!schedule(number, report)) return false;
   }
   return true;
-}
-
-Report Impulses::run(State<double>& state, double until, const RunOptions& options) {
-  if (!(until >= state.time))
-    throw std::invalid_argument("run: until must not lie before the time of the state");
-  if (!options.events.empty())
-    throw std::invalid_argument("run: events need one clock for all particles; " + name_ +
-                                " has one for each " + owner_);
-  if (until == state.time) return {};
-  Report report;
-  if (!continues(state) && !begin(state, report)) return report;
-  Frames frames(options, state.time);
-  const auto hand_out = [&](double time) { handed_out_ = state = at(time); };
-
-  double start = state.time;
-  for (std::uint64_t step = 0;; ++step) {
-    const double end = std::min(until, next_time());
-    frames.up_to(is_due(until) ? std::nextafter(reach(), start) : until, [&](double t) { return at(t); });
-    bool go_on = true;
-    if (end > start) {
-      if (options.after_step) go_on = options.after_step({Between(*this, start, end), at(end), start});
-      if (options.go_on) go_on = options.go_on(end) && go_on;
-    }
-    if (!go_on) {
-      hand_out(end);
-      return {Outcome::interrupted, "stopped at t = " + std::to_string(state.time), -1};
-    }
-    if (!is_due(until)) break;
-    if (step == options.max_steps) {
-      hand_out(end);
-      return {Outcome::step_limit,
-              "the largest number of steps, " + std::to_string(options.max_steps) +
-                  ", is used up at t = " + std::to_string(state.time) + "; allow more or take longer steps",
-              -1};
-    }
-    start = end;
-    if (!next_impulses(options, report)) {
-      state = at(last_);
-      handed_out_ = {};  // nothing to go on from
-      return report;
-    }
-  }
-  hand_out(until);
-  return {};
 }
 
 }  // namespace jetlag

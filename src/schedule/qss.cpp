@@ -9,7 +9,6 @@
 
 #include "jetlag/integrators/accelerations.hpp"
 #include "schedule/departure.hpp"
-#include "schedule/frames.hpp"
 #include "schedule/quantized_forces.hpp"
 
 namespace jetlag {
@@ -53,37 +52,9 @@ bool finite(const std::array<double, 4>& c) {
 
 }  // namespace
 
-/// What an observer sees of the motion between two events.
-class Qss::Between final : public LastStep {
- public:
-  Between(const Qss& motion, double begin, double end) : motion_(motion), begin_(begin), end_(end) {}
-
-  Piece piece() const override {
-    const auto n = motion_.particles_;
-    const int d = motion_.dimension_;
-    Piece piece{begin_, end_, {}, {}};
-    for (auto* series : {&piece.position, &piece.velocity})
-      series->assign(motion_.options_.order + 1, Coordinates<double>::Zero(n, d));
-    for (int i = 0; i < n; ++i)
-      for (int c = 0; c < d; ++c)
-        for (int kind = 0; kind < 2; ++kind) {
-          const Component& component = motion_.components_[motion_.number(kind, i, c)];
-          auto x = component.x;
-          shift(x, begin_ - component.x_time);
-          for (int k = 0; k <= motion_.options_.order; ++k)
-            (kind == 0 ? piece.position : piece.velocity)[k](i, c) = x[k];
-        }
-    return piece;
-  }
-  const Work& work() const override { return motion_.work(); }
-
- private:
-  const Qss& motion_;
-  double begin_, end_;
-};
-
 Qss::Qss(const System<double>& system, const Options& options)
-    : options_(options),
+    : EventDriven("qss has one for each component", "take a larger quantum"),
+      options_(options),
       dimension_(system.dimension()),
       particles_(system.particles()),
       fixed_(system.fixed()),
@@ -123,12 +94,20 @@ State<double> Qss::at(double time) const {
   return state;
 }
 
-bool Qss::continues(const State<double>& state) const {
-  const auto same = [](const Coordinates<double>& a, const Coordinates<double>& b) {
-    return a.rows() == b.rows() && a.cols() == b.cols() && a == b;
-  };
-  return handed_out_.position.size() > 0 && state.time == handed_out_.time &&
-         same(state.position, handed_out_.position) && same(state.velocity, handed_out_.velocity);
+Piece Qss::piece(double begin, double end) const {
+  Piece piece{begin, end, {}, {}};
+  for (auto* series : {&piece.position, &piece.velocity})
+    series->assign(options_.order + 1, Coordinates<double>::Zero(particles_, dimension_));
+  for (int i = 0; i < particles_; ++i)
+    for (int c = 0; c < dimension_; ++c)
+      for (int kind = 0; kind < 2; ++kind) {
+        const Component& component = components_[number(kind, i, c)];
+        auto x = component.x;
+        shift(x, begin - component.x_time);
+        for (int k = 0; k <= options_.order; ++k)
+          (kind == 0 ? piece.position : piece.velocity)[k](i, c) = x[k];
+      }
+  return piece;
 }
 
 Report Qss::not_finite(const char* what, int particle, double time) const {
@@ -144,7 +123,6 @@ Report Qss::not_finite(const char* what, int particle, double time) const {
 /// From the values alone: each pass over all particles gives their quantized polynomials one coefficient more.
 bool Qss::begin(const State<double>& state, Report& report) {
   require_shape(state, particles_, dimension_);
-  handed_out_ = {};
   last_ = state.time;
   told_.assign(particles_, state.time);
   for (int i = 0; i < particles_; ++i)
@@ -287,50 +265,6 @@ bool Qss::next_event(const RunOptions& options, Report& report) {
     for (int c = 0; c < dimension_; ++c) schedule(number(1, j, c), now);
   }
   return true;
-}
-
-Report Qss::run(State<double>& state, double until, const RunOptions& options) {
-  if (!(until >= state.time))
-    throw std::invalid_argument("run: until must not lie before the time of the state");
-  if (!options.events.empty())
-    throw std::invalid_argument(
-        "run: events need one clock for all particles; qss has one for each component");
-  if (until == state.time) return {};
-  Report report;
-  if (!continues(state) && !begin(state, report)) return report;
-  Frames frames(options, state.time);
-  const auto hand_out = [&](double time) { handed_out_ = state = at(time); };
-
-  double start = state.time;
-  for (std::uint64_t step = 0;; ++step) {
-    const double end = std::min(until, next_time());
-    frames.up_to(next_time() <= until ? std::nextafter(end, start) : until, [&](double t) { return at(t); });
-    bool go_on = true;
-    if (end > start) {
-      if (options.after_step) go_on = options.after_step({Between(*this, start, end), at(end), start});
-      if (options.go_on) go_on = options.go_on(end) && go_on;
-    }
-    if (!go_on) {
-      hand_out(end);
-      return {Outcome::interrupted, "stopped at t = " + std::to_string(state.time), -1};
-    }
-    if (next_time() > until) break;
-    if (step == options.max_steps) {
-      hand_out(end);
-      return {Outcome::step_limit,
-              "the largest number of steps, " + std::to_string(options.max_steps) + ", is used up at t = " +
-                  std::to_string(state.time) + "; allow more or take a larger quantum",
-              -1};
-    }
-    start = end;
-    if (!next_event(options, report)) {
-      state = at(last_);
-      handed_out_ = {};  // nothing to go on from
-      return report;
-    }
-  }
-  hand_out(until);
-  return {};
 }
 
 }  // namespace jetlag

@@ -98,9 +98,18 @@ std::vector<Competitor> competitors() {
     }
 
   // What one would take otherwise.
-  for (const char* type : {"leapfrog", "symplectic_euler", "euler", "rk4", "hermite", "dopri5", "dop853",
-                           "gauss_radau", "implicit_midpoint", "newmark", "exponential_step"})
-    all.push_back(other(type, type, {{"type", type}}, fixed_step));
+  for (const auto& [family, type] : {std::pair("leapfrog", "leapfrog"),
+                                     {"euler", "symplectic_euler"},
+                                     {"euler", "euler"},
+                                     {"rk4", "rk4"},
+                                     {"hermite", "hermite"},
+                                     {"dopri5", "dopri5"},
+                                     {"dop853", "dop853"},
+                                     {"gauss_radau", "gauss_radau"},
+                                     {"implicit", "implicit_midpoint"},
+                                     {"implicit", "newmark"},
+                                     {"noise", "exponential_step"}})
+    all.push_back(other(family, type, {{"type", type}}, fixed_step));
   for (const char* type : {"dopri5", "dop853", "gauss_radau"})
     for (int digits : {3, 5, 7, 9, 11}) {
       const double tolerance = std::pow(10.0, -digits);
@@ -110,7 +119,7 @@ std::vector<Competitor> competitors() {
   for (const char* accuracy : {"1e-2", "1e-3", "1e-4", "1e-5"})
     all.push_back(other("hermite", fmt::format("hermite, accuracy {}", accuracy), {{"type", "hermite"}},
                         {{"type", "aarseth"}, {"accuracy", std::stod(accuracy)}}));
-  all.push_back(other("explicit_implicit", "explicit_implicit, beyond their limit",
+  all.push_back(other("implicit", "explicit_implicit, beyond their limit",
                       {{"type", "explicit_implicit"}, {"implicit", "courant"}}, fixed_step));
   for (double courant : {0.8, 0.4, 0.2, 0.1, 0.05}) {
     const Json control = {{"type", "fixed"}, {"courant", courant}};
@@ -123,17 +132,14 @@ std::vector<Competitor> competitors() {
     all.push_back(other("qss", fmt::format("{}, quantum 1e-{}", type, digits), {{"type", type}},
                         {{"type", "quantum"}, {"quantum", std::pow(10.0, -digits)}}));
   // Noise of the size of the method's own error; orders of the methods.
-  all.push_back(other("conrad", "conrad, rk4",
+  all.push_back(other("noise", "conrad, rk4",
                       {{"type", "conrad"}, {"inner", {{"type", "rk4"}}}, {"order", 4}, {"sigma", 1.0}},
                       fixed_step));
-  all.push_back(other("random_step", "random_step, leapfrog",
+  all.push_back(other("noise", "random_step, leapfrog",
                       {{"type", "random_step"}, {"inner", {{"type", "leapfrog"}}}, {"order", 2}},
                       fixed_step));
   for (Competitor& competitor : all)
-    if (competitor.family == "conrad" || competitor.family == "random_step" ||
-        competitor.family == "exponential_step")
-      competitor.random = true;
-
+    if (competitor.family == "noise") competitor.random = true;
   return all;
 }
 

@@ -214,7 +214,8 @@ void compare(const TestProblem& problem, const Arguments& arguments, const std::
     taylor.push_back(point);
     if (!row.is_taylor) taylor.back().family = "other methods";
     if (!row.is_taylor ||
-        std::ranges::count(std::array{"fixed degree", "ruler", "jorba_zou", "block"}, row.family))
+        std::ranges::count(std::array{"fixed degree", "ruler", "jorba_zou", "block", "asynchronous"},
+                           row.family))
       methods.push_back(point);
   }
   draw(arguments.folder / (problem.name + ".svg"), problem, taylor);

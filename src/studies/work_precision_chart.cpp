@@ -41,8 +41,10 @@ constexpr int marks[] = {7, 5, 9, 11, 13, 15, 4, 6, 8, 10, 12};
 void draw_work_precision(const std::filesystem::path& picture, const std::string& title,
                          const std::vector<WorkPrecision>& points, double floor, double ceiling) {
   std::vector<std::string> families;
-  for (const auto& point : points)
-    if (std::ranges::find(families, point.family) == families.end()) families.push_back(point.family);
+  for (const auto& point :
+       points)  // of those that have something to show: a block without points is none for gnuplot
+    if (point.error <= ceiling && std::ranges::find(families, point.family) == families.end())
+      families.push_back(point.family);
   std::string data, panels[2];
   int index = 0;
   for (int panel = 0; panel < 2; ++panel)
@@ -77,7 +79,8 @@ void draw_work_precision(const std::filesystem::path& picture, const std::string
       "set multiplot\nset tmargin at screen 0.88\nset bmargin at screen 0.13\n"
       "set lmargin at screen 0.08\nset rmargin at screen 0.405\nset key at screen 0.995, screen 0.88 right "
       "top "
-      "vertical maxcols 1 width -2\n" +
+      "vertical maxcols 1 width -2" +
+      (families.size() > 14 ? std::string(" font ',12' spacing 0.95\n") : std::string("\n")) +
       text("xlabel", "element coefficients") + text("ylabel", "position error [m]") + "plot " + panels[0] +
       "\nunset label\nunset key\nset lmargin at screen 0.455\nset rmargin at screen 0.78\nset ylabel ''\n" +
       text("xlabel", "processor time [s]") + "plot " + panels[1] + "\nunset multiplot\n";

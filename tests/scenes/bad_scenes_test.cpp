@@ -291,7 +291,7 @@ const BadScene bad_scenes[] = {
     {"ImplicitSubcyclingOfAParticleNamedTwice", "",
      R"({"until": 1, "dimension": 1, "particles": {"position": [[0]]}, "control": {"type": "fixed", "step": 1},
          "integrator": {"type": "implicit_subcycling", "ratio": 2, "coarse": [0, 0]}})",
-     "integrator.type", "coarse particle 0 is named twice"},
+     "integrator.coarse[1]", "not in the list already"},
     {"ConradWithoutInner", "/integrator", R"({"type": "conrad", "order": 2})", "integrator.inner", "missing"},
     {"ConradInConrad", "/integrator", R"({"type": "conrad", "order": 2, "inner": {"type": "conrad"}})",
      "integrator.inner.type", "got \"conrad\""},

@@ -10,32 +10,25 @@
 // that nothing drifts; clocks whose times are equal but for rounding ring together, in the order of their steps. All that
 // ring move their particles first and push afterwards: an impulse sees every other particle where its line has taken it,
 // and none beyond the end of its step, for it is the earliest clock that rings.
+//
+// `until` and frames lie between impulses: positions are those of the straight lines; velocities have of each last
+// impulse h F what belongs to times up to t,
+//     v(t) = v - sum (1/2 - (t - t_last)/h) h F / m,     over the clocks that push the particle.
+// A run begins with half an impulse of every clock. An update is one impulse on one particle; a force evaluation of an
+// element is one element coefficient.
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "jetlag/schedule/schedule.hpp"
+#include "jetlag/schedule/event_driven.hpp"
 #include "jetlag/tape/program.hpp"
 
 namespace jetlag {
 
-class Impulses : public Schedule {
+class Impulses : public EventDriven {
  public:
   ~Impulses() override;
-
-  /// `until` and frames lie between impulses: positions are those of the straight lines; velocities have of each last
-  /// impulse h F what belongs to times up to t,
-  ///     v(t) = v - sum (1/2 - (t - t_last)/h) h F / m,     over the clocks that push the particle.
-  /// The clocks go on as if nobody had looked: as long as it is handed the state that it gave, a run to 1 and on to 2
-  /// gives the bits of a run to 2. Any other state begins anew, with half an impulse of every clock.
-  ///
-  /// A step, for max_steps and observers, lasts from one impulse to the next, whosever it is. Events need one clock for
-  /// all: they are refused. Throws std::invalid_argument as Schedule::run does, and for events.
-  Report run(State<double>& state, double until, const RunOptions& options) override;
-
-  /// An update is one impulse on one particle; a force evaluation of an element is one element coefficient.
-  const Work& work() const override { return work_; }
 
  protected:
   /// name: of the method; owner: what has a clock, for messages.
@@ -47,7 +40,6 @@ class Impulses : public Schedule {
                  std::vector<int> pushed);
 
  private:
-  class Between;
   struct Clock;
   struct Due {
     double time;
@@ -57,19 +49,18 @@ class Impulses : public Schedule {
     }
   };
 
-  bool continues(const State<double>& state) const;
-  bool begin(const State<double>& state, Report& report);
-  bool is_due(double time) const { return reach() <= time; }
-  double reach() const;
-  double next_time() const;
+  bool begin(const State<double>& state, Report& report) override;
+  double next_time() const override;
+  double reach() const override;
+  bool next_event(const RunOptions& options, Report& report) override;
+  State<double> at(double time) const override;
+  Piece piece(double begin, double end) const override;
   double together() const;
-  bool next_impulses(const RunOptions& options, Report& report);
   bool drift(const Clock& clock, double time, const RunOptions& options, Report& report);
   bool push(Clock& clock, double time, double share, Report& report);
   bool schedule(int clock, Report& report);
-  State<double> at(double time) const;
 
-  std::string name_, owner_;
+  std::string name_;
   int dimension_, stride_;
   std::vector<double> push_;   // 1/m, 0 of fixed particles
   std::vector<Clock> clocks_;  // shortest step first
@@ -78,9 +69,7 @@ class Impulses : public Schedule {
   // Padded rows: positions and velocities at the particles' own times; forces, zero but while a clock evaluates.
   AlignedVector<double> x_, v_, f_;
   std::vector<double> own_time_;  // [s]
-  double origin_ = 0, last_ = 0;  // [s]: when the clocks were started, when the last one rang
-  State<double> handed_out_;
-  Work work_;
+  double origin_ = 0;             // [s]: when the clocks were started
 };
 
 }  // namespace jetlag

@@ -24,6 +24,12 @@
 // Forces are expanded along the quantized states and renewed where a quantized state changes. A force that changes for
 // another reason, because it depends on the time or has a border such as the surface of a floor, is seen at the next
 // event: for these `max_step` must be given.
+//
+// An update of a particle lasts from one event of a component of it to the next. Of events at the same time that of the
+// lower number comes first: positions, particle by particle and component by component, then velocities. Where a
+// component has two events at one time, because it crosses its quantum in less than the last place of the time, the run
+// ends in step_underflow. A step is an event, an update is one too; element coefficients are those of the elements of a
+// particle.
 
 #include <array>
 #include <cstdint>
@@ -31,14 +37,14 @@
 #include <memory>
 #include <vector>
 
+#include "jetlag/schedule/event_driven.hpp"
 #include "jetlag/schedule/event_queue.hpp"
-#include "jetlag/schedule/schedule.hpp"
 
 namespace jetlag {
 
 class QuantizedForces;
 
-class Qss final : public Schedule {
+class Qss final : public EventDriven {
  public:
   struct Options {
     int order = 2;                // 1 to 3
@@ -53,22 +59,7 @@ class Qss final : public Schedule {
   Qss(const System<double>& system, const Options& options);
   ~Qss() override;
 
-  /// `until` and frames are read off the polynomials x(t). The components go on as if nobody had looked: as long as it
-  /// is handed the state that it gave, a run to 1 and on to 2 gives the bits of a run to 2. Any other state begins
-  /// anew.
-  ///
-  /// A step, for max_steps and observers, lasts from one event to the next, whosever it is; an update of a particle
-  /// from one event of a component of it to the next. Of events at the same time that of the lower number comes first:
-  /// positions, particle by particle and component by component, then velocities. Where a component has two events at
-  /// one time, because it crosses its quantum in less than the last place of the time, the run ends in step_underflow.
-  /// RunOptions::events need one clock for all: they are refused. Throws std::invalid_argument as Schedule::run does.
-  Report run(State<double>& state, double until, const RunOptions& options) override;
-
-  /// A step is an event, an update is one too; element coefficients are those of the elements of a particle.
-  const Work& work() const override { return work_; }
-
  private:
-  class Between;
   struct Component {
     std::array<double, 4> x{};               // [m or m/s], about x_time
     std::array<double, 3> q{};               // about q_time
@@ -78,17 +69,17 @@ class Qss final : public Schedule {
   int number(int kind, int particle, int component) const {
     return (kind * particles_ + particle) * dimension_ + component;
   }
-  bool continues(const State<double>& state) const;
-  bool begin(const State<double>& state, Report& report);
-  double next_time() const;
-  bool next_event(const RunOptions& options, Report& report);
+  bool begin(const State<double>& state, Report& report) override;
+  double next_time() const override;
+  bool next_event(const RunOptions& options, Report& report) override;
+  State<double> at(double time) const override;
+  Piece piece(double begin, double end) const override;
   bool advance(Component& component, double time) const;
   void move(int particle, int component, double time);
   bool push(int particle, double time, Report& report);
   void schedule(int number, double time);
   void tell(int particle, double time, const RunOptions& options);
   Report not_finite(const char* what, int particle, double time) const;
-  State<double> at(double time) const;
 
   Options options_;
   int dimension_, particles_;
@@ -97,9 +88,6 @@ class Qss final : public Schedule {
   std::vector<Component> components_;
   EventQueue queue_;
   std::vector<double> told_;  // [s]: the last event of each particle
-  double last_ = 0;           // [s]: the last event
-  State<double> handed_out_;
-  Work work_;
 };
 
 }  // namespace jetlag
