@@ -30,48 +30,6 @@ namespace jetlag::bench {
 
 namespace {
 
-/// A scene with a stiff part, the longest stable step of its soft part and a step that is exact for its stiff one.
-struct Uneven {
-  System<double> system;
-  State<double> state;
-  double until, max_step, exact_step;
-};
-
-/// F = k (1 + |d|^2) d.
-struct CubicSpring {
-  static constexpr const char* name = "cubic spring";
-  static constexpr int participants = 2;
-  static constexpr std::array parameters{"stiffness"};
-  template <class T, int D>
-  static Vector<T, D> force(const Participants<T, D, 2>& p, const T& stiffness) {
-    const Vector<T, D> d = p.position[1] - p.position[0];
-    return T(stiffness * (1.0 + d.squaredNorm())) * d;
-  }
-};
-
-/// 128 masses between walls; four of 129 springs are 1e4 times stiffer.
-Uneven chain() {
-  constexpr int moving = 128;
-  Uneven scene{System<double>(1, std::vector<double>(moving + 2, 1.0)),
-               {0.0, Coordinates<double>::Zero(moving + 2, 1), Coordinates<double>::Zero(moving + 2, 1)},
-               20,
-               1.25,
-               0.005};
-  scene.system.fix(0);
-  scene.system.fix(moving + 1);
-  std::vector<std::array<int, 2>> pairs;
-  std::vector<std::array<double, 1>> stiffness;
-  for (int i = 0; i <= moving; ++i) {
-    pairs.push_back({i, i + 1});
-    stiffness.push_back({i >= 60 && i < 64 ? 1e4 : 1.0});
-  }
-  scene.system.add<CubicSpring>(pairs, stiffness);
-  for (int i = 1; i <= moving; ++i)
-    scene.state.position(i, 0) = 0.1 * std::sin(std::numbers::pi * i / (moving + 1) * 2) +
-                                 0.02 * std::sin(std::numbers::pi * i / (moving + 1) * 9);
-  return scene;
-}
-
 /// 50 x 50 particles of 1 kg, 0.1 m apart, springs as in the scene `cloth` of 5 N/m; those within a square of 5 % are
 /// 1e3 times stiffer. It begins flat, with a smooth velocity.
 Uneven cloth_with_a_stiff_patch() {

@@ -14,6 +14,7 @@ void register_adolc();       // BM_ExpansionAdolC/<scene>/<degree>, nothing with
 void register_engine();      // engine/<what>: one table of the engine's speed
 void register_step();        // BM_Step/<method>/<scene>
 void register_asynchrony();  // BM_Asynchrony/<scene>/<degree>, BM_EventQueue/<clocks>
+void register_peers();       // BM_Peers/<problem>/<digits>/<method>
 
 /// Counters of a run whose iteration expands the whole scene once: elements, and the time for each of them.
 inline void count_elements(benchmark::State& run, const Scene& scene) {

@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
   register_step();
   register_asynchrony();
   register_engine();
+  register_peers();
 
   // Short repetitions in random order, of which the fastest counts: what disturbs one spares the others.
   char repetitions[] = "--benchmark_repetitions=12", time[] = "--benchmark_min_time=0.03",

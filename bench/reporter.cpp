@@ -12,6 +12,7 @@
 #include "engine.hpp"
 #include "goal.hpp"
 #include "jetlag/tape/kernels.hpp"
+#include "peers.hpp"
 
 namespace jetlag::bench {
 
@@ -43,6 +44,15 @@ bool print_agreement(std::ostream& out) {
         << (a.holds() ? "" : "   TOO LARGE") << "\n";
     all_hold = all_hold && a.holds();
   }
+  const std::vector<PeerAgreement> peers = peer_agreements();
+  if (!peers.empty())
+    out << "Agreement of peers with a series of degree 20, positions of a small chain (allowed: "
+        << PeerAgreement::allowed << " m)\n";
+  for (const PeerAgreement& a : peers) {
+    out << "  " << std::left << std::setw(28) << a.method << std::setprecision(2) << a.error << " m"
+        << (a.holds() ? "" : "   TOO LARGE") << "\n";
+    all_hold = all_hold && a.holds();
+  }
   return all_hold;
 }
 
@@ -71,7 +81,7 @@ bool Reporter::ReportContext(const Context& context) {
 void Reporter::ReportRuns(const std::vector<Run>& runs) {
   for (const Run& run : runs) {
     if (run.run_type != Run::RT_Iteration) continue;
-    failed_run_ = failed_run_ || run.error_occurred;
+    failed_run_ = failed_run_ || (run.error_occurred && !run.error_message.starts_with(gives_up));
     const auto [known, is_new] = fastest_.try_emplace(run.family_index, run);
     if (!is_new && time_of(run) < time_of(known->second)) known->second = run;
   }
@@ -82,6 +92,7 @@ void Reporter::Finalize() {
   for (const auto& [index, run] : fastest_) ConsoleReporter::ReportRuns({run});
   print_ratios();
   print_engine(*this, GetOutputStream());
+  print_peers(*this, GetOutputStream());
 }
 
 std::optional<double> Reporter::nanoseconds(const std::string& benchmark) const {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <stdexcept>
 #include <vector>
 
@@ -136,6 +137,28 @@ Scene pendulum() {
   System<double> system(1, {1.0});
   system.add<SineOfAngle>({{0}}, {{}});
   return {"pendulum", std::move(system), std::move(state)};
+}
+
+Uneven chain() {
+  constexpr int moving = 128;
+  Uneven scene{System<double>(1, std::vector<double>(moving + 2, 1.0)),
+               {0.0, Coordinates<double>::Zero(moving + 2, 1), Coordinates<double>::Zero(moving + 2, 1)},
+               20,
+               1.25,
+               0.005};
+  scene.system.fix(0);
+  scene.system.fix(moving + 1);
+  std::vector<std::array<int, 2>> pairs;
+  std::vector<std::array<double, 1>> stiffness;
+  for (int i = 0; i <= moving; ++i) {
+    pairs.push_back({i, i + 1});
+    stiffness.push_back({i >= 60 && i < 64 ? 1e4 : 1.0});
+  }
+  scene.system.add<CubicSpring>(pairs, stiffness);
+  for (int i = 1; i <= moving; ++i)
+    scene.state.position(i, 0) = 0.1 * std::sin(std::numbers::pi * i / (moving + 1) * 2) +
+                                 0.02 * std::sin(std::numbers::pi * i / (moving + 1) * 9);
+  return scene;
 }
 
 Scene scene(const std::string& name) {

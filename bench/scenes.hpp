@@ -34,6 +34,28 @@ Scene solar();
 /// A pendulum in its angle: x'' = -sin x, at rest at 1.3.
 Scene pendulum();
 
+/// A scene with a stiff part, the longest stable step of its soft part and a step that is exact for its stiff one.
+struct Uneven {
+  System<double> system;
+  State<double> state;
+  double until, max_step, exact_step;
+};
+
+/// F = k (1 + |d|^2) d.
+struct CubicSpring {
+  static constexpr const char* name = "cubic spring";
+  static constexpr int participants = 2;
+  static constexpr std::array parameters{"stiffness"};
+  template <class T, int D>
+  static Vector<T, D> force(const Participants<T, D, 2>& p, const T& stiffness) {
+    const Vector<T, D> d = p.position[1] - p.position[0];
+    return T(stiffness * (1.0 + d.squaredNorm())) * d;
+  }
+};
+
+/// 128 masses between walls; four of 129 springs are 1e4 times stiffer.
+Uneven chain();
+
 /// By name: cloth<side>, kepler, planar_kepler, solar, pendulum.   Throws std::invalid_argument.
 Scene scene(const std::string& name);
 
