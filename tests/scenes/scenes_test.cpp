@@ -179,6 +179,8 @@ TEST(Scenes, TreatParticlesImplicitlyBeyondTheirLimit) {
   };
   EXPECT_EQ(x("\"courant\""), x("[1, 2]"));
   EXPECT_NE(x("\"courant\""), x("[1, 2, 3]"));
+}
+
 TEST(Scenes, QuantizeTheStateAndShowItsClocks) {
   // The quantum of velocities is that of positions, a second long, where nothing else is said.
   const auto steps = [](const std::string& control) {
