@@ -186,6 +186,33 @@ std::vector<MethodPage> one_step_pages() {
                    "ExplicitImplicit.GainsAHundredfoldOnLeapfrog",
                    "integrators/explicit_implicit_test.cpp"}}},
 
+      {.name = "implicit_subcycling",
+       .what = "The trapezoidal rule with long steps for some particles and short ones for the others",
+       .when = "A fast part of a stiff scene: all steps may lie far beyond the limit of explicit methods, "
+               "and only the part whose motion is to be resolved takes the short ones. Its cost grows with "
+               "the interface: every short step solves for each component of the coarse particles that share "
+               "an element with a fine one. Drag and forces of the time are welcome.",
+       .declared = {{"integrators/implicit_subcycling.hpp", "ImplicitSubcycling"}},
+       .keys = with({{"integrator.coarse",
+                      "a list of the particles with long steps, each once; the others are fine", "required"},
+                     {"integrator.ratio",
+                      "m of the long step to the short one, whole number from 1 to 1000000", "required"},
+                     {"control.type", "`fixed`", "required"},
+                     {"control.step", "dt of fine particles [s], > 0; coarse ones take m dt", "required"}},
+                    one_thread),
+       .examples = {R"({"integrator": {"type": "implicit_subcycling", "coarse": [4, 5, 6, 7], "ratio": 5},
+ "control": {"type": "fixed", "step": 0.01}})"},
+       .proofs =
+           {{"1e-12",
+             "the most by which the energy changes, relatively, in 10000 cycles of linear forces, dt ten "
+             "times the explicit limit, m = 3 and 10",
+             "ImplicitSubcycling.KeepsTheEnergyOfLinearForces", "integrators/implicit_subcycling_test.cpp"},
+            {"2.0, 0.1",
+             "its order, measured at m = 1, 2, 5 and 10 on springs with drag, and how far it may be off",
+             "ImplicitSubcycling.HasOrderTwoAtAnyRatio", "integrators/implicit_subcycling_test.cpp"},
+            {"1e-13", "momentum of a cube of springs, half of it coarse, after 40 cycles",
+             "ImplicitSubcycling.KeepsMomentumToRounding", "integrators/implicit_subcycling_test.cpp"}}},
+
       {.name = "conrad",
        .what = "Normal noise added to another method",
        .when = "An ensemble about a deterministic method, with sigma fitted to its errors; no invariant "
