@@ -1,15 +1,8 @@
 # What the headers say of the methods, as C++: for each {"folder/header.hpp", "Symbol"} in the register the comment on top
 # of the header and the docstring (///) above the declaration of the symbol, word for word.
-# In: register (the list of pages), include (the folder that holds the headers), output (written); depfile (optional).
+# In: register (the files that list the pages), include (the folder that holds the headers), output (written); depfile (optional).
 
 cmake_minimum_required(VERSION 3.25)
-
-file(READ "${register}" entries)
-string(REGEX MATCHALL "{\"[a-z_]+/[a-z0-9_]+\\.hpp\",[ \n]*\"[A-Za-z0-9_]+\"}" pairs "${entries}")
-list(REMOVE_DUPLICATES pairs)
-if(NOT pairs)
-  message(FATAL_ERROR "${register}: no {\"folder/header.hpp\", \"Symbol\"} in it")
-endif()
 
 # The comment on top of `content`: what stands after #pragma once, without its slashes.
 # The docstring of `symbol`: the lines of /// directly above its declaration, which begins at the margin.
@@ -53,8 +46,7 @@ function(read_comments content symbol top_name docstring_name found_name)
   set(${found_name} ${found} PARENT_SCOPE)
 endfunction()
 
-get_filename_component(register_file "${register}" NAME)
-set(generated "// Made by .cmake/method_docs.cmake from the headers that ${register_file} names.
+set(generated "// Made by .cmake/method_docs.cmake from the headers that the register of pages names.
 #include \"scenes/methods.hpp\"
 
 namespace jetlag {
@@ -63,24 +55,38 @@ const std::vector<HeaderText>& header_texts() {
   static const std::vector<HeaderText> texts = {
 ")
 set(headers "")
-foreach(pair IN LISTS pairs)
-  string(REGEX MATCH "\"([^\"]+)\",[ \n]*\"([^\"]+)\"" pair "${pair}")
-  set(header "${CMAKE_MATCH_1}")
-  set(symbol "${CMAKE_MATCH_2}")
-  if(NOT EXISTS "${include}/${header}")
-    message(FATAL_ERROR "${register}: {\"${header}\", \"${symbol}\"}: there is no header ${include}/${header}")
-  endif()
-  file(READ "${include}/${header}" content)
-  read_comments("${content}" ${symbol} top docstring found)
-  if(NOT found)
-    message(FATAL_ERROR "${register}: {\"${header}\", \"${symbol}\"}: the header declares no ${symbol} at its margin")
-  endif()
-  if(top STREQUAL "")
-    message(FATAL_ERROR "${register}: {\"${header}\", \"${symbol}\"}: the header has no comment below #pragma once")
-  endif()
-  string(APPEND generated "      {\"${header}\", \"${symbol}\",\n       R\"doc(${top})doc\",\n       R\"doc(${docstring})doc\"},\n")
-  string(APPEND headers " ${include}/${header}")
+set(seen "")
+foreach(file IN LISTS register)
+  file(READ "${file}" entries)
+  string(REGEX MATCHALL "{\"[a-z_]+/[a-z0-9_]+\\.hpp\",[ \n]*\"[A-Za-z0-9_]+\"}" pairs "${entries}")
+  foreach(pair IN LISTS pairs)
+    string(REGEX MATCH "\"([^\"]+)\",[ \n]*\"([^\"]+)\"" pair "${pair}")
+    set(header "${CMAKE_MATCH_1}")
+    set(symbol "${CMAKE_MATCH_2}")
+    if("${header} ${symbol}" IN_LIST seen)
+      continue()
+    endif()
+    list(APPEND seen "${header} ${symbol}")
+    set(place "${file}: {\"${header}\", \"${symbol}\"}")
+    if(NOT EXISTS "${include}/${header}")
+      message(FATAL_ERROR "${place}: there is no header ${include}/${header}")
+    endif()
+    file(READ "${include}/${header}" content)
+    read_comments("${content}" ${symbol} top docstring found)
+    if(NOT found)
+      message(FATAL_ERROR "${place}: the header declares no ${symbol} at its margin")
+    endif()
+    if(top STREQUAL "")
+      message(FATAL_ERROR "${place}: the header has no comment below #pragma once")
+    endif()
+    string(APPEND generated
+           "      {\"${header}\", \"${symbol}\",\n       R\"doc(${top})doc\",\n       R\"doc(${docstring})doc\"},\n")
+    string(APPEND headers " ${include}/${header}")
+  endforeach()
 endforeach()
+if(NOT seen)
+  message(FATAL_ERROR "${register}: no {\"folder/header.hpp\", \"Symbol\"} in it")
+endif()
 string(APPEND generated "  };
   return texts;
 }

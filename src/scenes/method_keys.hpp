@@ -68,6 +68,18 @@ inline const Keys own_clocks{
     {"schedule.type", "`asynchronous`", "asynchronous"},
     max_steps};
 
+/// Of quantized states.
+inline const Keys quantized{
+    {"control.type", "`quantum`", "quantum"},
+    {"control.quantum", "of positions [m], > 0", "required"},
+    {"control.velocity_quantum", "of velocities [m/s], > 0", "none: the number of control.quantum"},
+    {"control.max_step",
+     "each component acts at least so often [s], > 0; required by floors and by forces that depend on the "
+     "time",
+     "none"},
+    {"schedule.type", "`asynchronous`", "asynchronous"},
+    max_steps};
+
 inline const SceneKey inner{
     "integrator.inner",
     "an integrator that draws nothing and takes fixed steps, such as `{\"type\": \"rk4\"}`", "required"};

@@ -16,7 +16,7 @@ const HeaderText& text_of(const Declaration& declared) {
   });
   if (found == header_texts().end())
     throw std::logic_error("no comments of " + declared.symbol + " in " + declared.header +
-                           " were read; write {\"header\", \"Symbol\"} in method_register.cpp");
+                           " were read; write {\"header\", \"Symbol\"} in method_register_*.cpp");
   return *found;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A page for every method that a scene can name. The register (method_register.cpp) says what no header does: when to
-// use it, its keys, what proves it. Its equations and sources are read from the comments of the headers when the library
-// is built (.cmake/method_docs.cmake): the page has them as the code has.
+// A page for every method that a scene can name. The register (method_register_*.cpp) says what no header does: when
+// to use it, its keys, what proves it. Its equations and sources are read from the comments of the headers when the
+// library is built (.cmake/method_docs.cmake): the page has them as the code has.
 
 #include <string>
 #include <vector>

@@ -60,7 +60,7 @@ struct Method {
   bool at_least = false;  // mean_orders is a lower bound
 };
 Method read_method(const Value& scene, std::shared_ptr<const System<double>> system, std::uint64_t seed);
-/// The types of integrators and of schedules that exist; each but `lockstep` has a page in method_register.cpp.
+/// The types of integrators and of schedules that exist; each but `lockstep` has a page in a method_register_*.cpp.
 std::vector<std::string> integrator_types();
 std::vector<std::string> schedule_types();
 

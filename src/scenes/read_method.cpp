@@ -314,7 +314,7 @@ IntegratorFactory read_exponential_step(const MethodArguments& arguments) {
   });
 }
 
-/// To add one, write its reader, add its line here and its page to method_register.cpp.
+/// To add one, write its reader, add its line here and its page to a method_register_*.cpp.
 struct IntegratorReader {
   const char* type;
   IntegratorFactory (*read)(const MethodArguments&);

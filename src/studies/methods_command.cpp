@@ -20,7 +20,7 @@ struct Arguments {
 
 void list() {
   for (const MethodPage& page : method_pages())
-    std::printf("%-17s %s\n", page.name.c_str(), page.what.c_str());
+    std::printf("%-19s %s\n", page.name.c_str(), page.what.c_str());
 }
 
 void write_all(const std::filesystem::path& folder) {

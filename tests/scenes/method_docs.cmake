@@ -31,11 +31,12 @@ std::vector<double> leaps(const Other& other);
 ]==])
 file(WRITE ${include}/room/bare.hpp "#pragma once\n\nstruct Bare {};\n")
 
-# Runs the script with a register of one pair.
+# Runs the script with a register of two files: one pair, twice, and none.
+file(WRITE ${work}/none.cpp "{.declared = {}}\n")
 function(read_docs header symbol outcome_name message_name)
-  file(WRITE ${work}/register.cpp "{.declared = {{\"${header}\",\n  \"${symbol}\"}}}\n")
+  file(WRITE ${work}/register.cpp "{.declared = {{\"${header}\",\n  \"${symbol}\"}, {\"${header}\", \"${symbol}\"}}}\n")
   execute_process(
-    COMMAND ${CMAKE_COMMAND} -D register=${work}/register.cpp -D include=${include} -D output=${work}/docs.cpp
+    COMMAND ${CMAKE_COMMAND} -D "register=${work}/none.cpp;${work}/register.cpp" -D include=${include} -D output=${work}/docs.cpp
             -D depfile=${work}/docs.d -P ${script}
     RESULT_VARIABLE outcome ERROR_VARIABLE message OUTPUT_VARIABLE ignored)
   string(REGEX REPLACE "[ \n]+" " " message "${message}")  # cmake breaks lines

@@ -52,13 +52,13 @@ TEST(Methods, HaveAPageEachAndNothingElseHas) {
       if (page.named_by == named_by) pages.push_back(page.name);
     for (const std::string& name : missing(names, pages))
       ADD_FAILURE() << named_by << " \"" << name
-                    << "\" has no page: add its entry to the list in src/scenes/method_register.cpp";
+                    << "\" has no page: add its entry to a list in src/scenes/method_register_*.cpp";
     for (const std::string& name : missing(pages, names))
-      ADD_FAILURE() << "the page of \"" << name << "\" in src/scenes/method_register.cpp is of no "
+      ADD_FAILURE() << "the page of \"" << name << "\" in src/scenes/method_register_*.cpp is of no "
                     << named_by;
     types += names.size();
   }
-  EXPECT_EQ(method_pages().size(), types) << "a method has two pages in src/scenes/method_register.cpp";
+  EXPECT_EQ(method_pages().size(), types) << "a method has two pages in src/scenes/method_register_*.cpp";
 }
 
 class MethodPages : public ::testing::TestWithParam<MethodPage> {};

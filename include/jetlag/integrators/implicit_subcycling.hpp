@@ -5,18 +5,21 @@
 //      coarse   o---------------------------------o       one cycle: h = m dt
 //      fine     o---o---o---o---o---o---o---o---o---o     m steps of dt
 //
-// What it stands for. P. Smolinski, Y.-S. Wu, Comput. Mech. 22 (1998): nodal partition, Newmark's method with beta =
-// 1/4 and gamma = 1/2 in both parts, the coarse motion interpolated to the substeps, one implicit solve for each part
-// and step of its own. A. Gravouil, A. Combescure, IJNME 50 (2001) 199, and A. Prakash, K. Hjelmstad, IJNME 61 (2004)
-// 2183, gave stable forms of it: subdomains that are first moved freely and then linked by forces on their interface.
+// Sources: P. Smolinski, Y.-S. Wu, Comput. Mech. 22 (1998); A. Gravouil, A. Combescure, IJNME 50 (2001) 199;
+// A. Prakash, K. Hjelmstad, IJNME 61 (2004) 2183.
+//
+// The first has a nodal partition, Newmark's method with beta = 1/4 and gamma = 1/2 in both parts, the coarse motion
+// interpolated to the substeps, one implicit solve for each part and step of its own. The others gave stable forms of
+// it: subdomains that are first moved freely and then linked by forces on their interface.
 //
 // Here the interface are the coarse particles that share an element with a fine one. Coarse positions and velocities
 // are linear in time over a cycle, so that a fine step sees
 //      x_c(t_j) = x_0 + j/m (x_m - x_0),     v_c(t_j) = v_0 + j/m (v_m - v_0),
 // and what such an element does to a coarse particle is the mean over the cycle of what it does in the fine steps:
 //      M_f (v_{j+1} - v_j) = dt/2 (F_f(t_j) + F_f(t_{j+1})),     x_{j+1} = x_j + dt/2 (v_j + v_{j+1}),
-//      M_c (v_m - v_0) = h/2 (F_cc(0) + F_cc(h)) + dt sum_j 1/2 (F_cf(t_j) + F_cf(t_{j+1})),   x_m = x_0 + h/2 (v_0 +
-// v_m). Solved as there: the fine part is moved freely, with its response to a change of the interface beside it; the
+//      M_c (v_m - v_0) = h/2 (F_cc(0) + F_cc(h)) + dt sum_j 1/2 (F_cf(t_j) + F_cf(t_{j+1})),
+//      x_m = x_0 + h/2 (v_0 + v_m).
+// Solved as there: the fine part is moved freely, with its response to a change of the interface beside it; the
 // coarse equations condensed with that response give the change; it is added. That is Newton's method on the whole
 // cycle with exact Jacobians from the tapes; on linear forces one pass solves it, and a second one tells so.
 //
