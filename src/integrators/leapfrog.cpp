@@ -1,25 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "jetlag/integrators/leapfrog.hpp"
 
-#include <algorithm>
+#include "jetlag/integrators/accelerations.hpp"
 
 namespace jetlag {
 
-namespace {
-/// Whether a force depends on a kind of input.
-bool reads(const System<double>& system, Input::Kind kind) {
-  return std::ranges::any_of(system.elements(), [kind](const auto& elements) {
-    return std::ranges::any_of(elements.law.force.nodes, [kind](const Node& node) {
-      return node.kind == Node::Kind::input && node.input.kind == kind;
-    });
-  });
-}
-}  // namespace
-
 Leapfrog::Leapfrog(const System<double>& system, double step)
     : series_(system, 2),
-      forces_depend_on_velocity_(reads(system, Input::Kind::velocity)),
-      forces_depend_on_time_(reads(system, Input::Kind::time)),
+      forces_depend_on_velocity_(forces_read(system, Input::Kind::velocity)),
+      forces_depend_on_time_(forces_read(system, Input::Kind::time)),
       moving_(moving_particles(system)),
       step_(step) {
   require_positive("step", step);
@@ -43,28 +32,28 @@ double Leapfrog::step(State<double>& state, double limit, Report& report) {
   const bool known =
       !forces_depend_on_velocity_ && (!forces_depend_on_time_ || time_of_a_after_ == state.time) &&
       position_of_a_after_.size() == state.position.size() && position_of_a_after_ == state.position;
-  Coordinates<double> a;
-  if (known)
-    a = a_after_;
-  else if (!acceleration(state, a, report))
+  if (!known && !acceleration(state, a_, report)) return 0.0;
+  const Coordinates<double>& a = known ? a_after_ : a_;
+
+  next_.time = state.time + h;
+  next_.position = state.position + h * state.velocity + 0.5 * h * h * a;
+  next_.velocity = state.velocity + h * a;
+  if (!all_finite(next_.position, next_.velocity, state.time, report) ||
+      !acceleration(next_, a_next_, report))
     return 0.0;
+  next_.velocity = state.velocity + 0.5 * h * (a + a_next_);
+  if (!all_finite(next_.position, next_.velocity, state.time, report)) return 0.0;
 
-  State<double> next{state.time + h, state.position + h * state.velocity + 0.5 * h * h * a,
-                     state.velocity + h * a};
-  if (!all_finite(next.position, next.velocity, state.time, report)) return 0.0;
-  Coordinates<double> a_next;
-  if (!acceleration(next, a_next, report)) return 0.0;
-  next.velocity = state.velocity + 0.5 * h * (a + a_next);
-  if (!all_finite(next.position, next.velocity, state.time, report)) return 0.0;
-
-  before_ = state;
-  a_before_ = std::move(a);
-  a_after_ = std::move(a_next);
-  position_of_a_after_ = next.position;
-  time_of_a_after_ = next.time;
-  state.position = std::move(next.position);
-  state.velocity = std::move(next.velocity);
+  a_before_ = a;
+  a_after_.swap(a_next_);
+  before_.time = state.time;  // storage goes round: nothing is allocated
+  before_.position.swap(state.position);
+  before_.velocity.swap(state.velocity);
+  state.position = next_.position;
+  state.velocity.swap(next_.velocity);
   state.drop_rests();
+  position_of_a_after_.swap(next_.position);
+  time_of_a_after_ = next_.time;
   last_step_ = h;
 
   ++work_.steps;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace jetlag {
 
@@ -18,13 +19,13 @@ double OneStep::fixed_length(const State<double>& from, double step, double limi
 }
 
 double OneStep::step(State<double>& state, double limit, Report& report) {
-  State<double> next;
-  const double h = advance(state, limit, next, report);
-  if (h == 0.0 || !all_finite(next.position, next.velocity, state.time, report)) return 0.0;
-  next.time = state.time;
-  before_ = std::move(state);
-  state = std::move(next);
-  after_ = state;
+  next_.drop_rests();
+  const double h = advance(state, limit, next_, report);
+  if (h == 0.0 || !all_finite(next_.position, next_.velocity, state.time, report)) return 0.0;
+  next_.time = state.time;
+  std::swap(before_, state);  // storage goes round: nothing is allocated
+  std::swap(after_, next_);
+  state = after_;
   length_ = h;
 
   ++work_.steps;

@@ -29,6 +29,8 @@ class Leapfrog final : public Integrator {
   Coordinates<double> a_before_, a_after_;
   Coordinates<double> position_of_a_after_;  // where a_after_ was computed, so that the next step can use it
   double time_of_a_after_ = 0;
+  State<double> next_;  // room for a step
+  Coordinates<double> a_, a_next_;
   double last_step_ = 0;
   Work work_;
 };

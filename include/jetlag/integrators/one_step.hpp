@@ -36,7 +36,7 @@ class OneStep : public Integrator {
 
  private:
   int order_, moving_;
-  State<double> before_, after_;
+  State<double> before_, after_, next_;  // next_: room for a step
   double length_ = 0;
 };
 
