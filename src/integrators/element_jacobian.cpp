@@ -2,7 +2,7 @@
 #include "integrators/element_jacobian.hpp"
 
 #include <algorithm>
-#include <set>
+#include <utility>
 
 namespace jetlag {
 
@@ -33,8 +33,8 @@ ElementJacobian::ElementJacobian(const System<double>& system,
       stride_(padded(system.dimension())),
       touched_(particles_, false),
       fixed_(system.fixed()),
+      neighbours_(particles_),
       rows_(particles_) {
-  std::vector<std::set<int>> neighbours(particles_);
   for (const auto& group : system.elements()) {
     const Elements<double> part = part_of(group, wanted);
     if (part.count() == 0) continue;
@@ -48,31 +48,51 @@ ElementJacobian::ElementJacobian(const System<double>& system,
         touched_[i] = true;
         for (std::size_t b = 0; b < p; ++b)
           if (const int j = part.particles[e * p + b]; j != i && !system.fixed()[i] && !system.fixed()[j])
-            neighbours[i].insert(j);
+            neighbours_[i].push_back(j);
       }
   }
-  // Greedily: the first colour that none of those has upon whom a neighbour acts.
-  std::vector<int> colour(particles_, -1);
   for (int i = 0; i < particles_; ++i) {
+    auto& neighbours = neighbours_[i];
+    std::ranges::sort(neighbours);
+    neighbours.erase(std::ranges::unique(neighbours).begin(), neighbours.end());
     if (!touched_[i] || system.fixed()[i] || !column(i)) continue;
     rows_[i] = {i};
-    rows_[i].insert(rows_[i].end(), neighbours[i].begin(), neighbours[i].end());
-    std::set<int> taken;
-    for (const int j : rows_[i]) {
-      if (colour[j] >= 0) taken.insert(colour[j]);
-      for (const int k : neighbours[j])
-        if (colour[k] >= 0) taken.insert(colour[k]);
-    }
-    int free = 0;
-    while (taken.contains(free)) ++free;
-    colour[i] = free;
-    if (static_cast<std::size_t>(free) == colours_.size()) colours_.emplace_back();
-    colours_[free].push_back(i);
+    rows_[i].insert(rows_[i].end(), neighbours.begin(), neighbours.end());
   }
   const std::size_t size = static_cast<std::size_t>(particles_) * stride_;
   x_.assign(2 * size, 0.0);
   v_.assign(2 * size, 0.0);
   f_.assign(size, 0.0);
+}
+
+/// Greedily: the first colour that none of those has upon whom a neighbour acts.
+void ElementJacobian::colour() {
+  if (std::exchange(is_coloured_, true)) return;
+  const auto all =
+      static_cast<std::size_t>(std::ranges::count_if(rows_, [](const auto& r) { return !r.empty(); }));
+  std::vector<int> colour(particles_, -1), taken_by;  // of each colour: the last particle that cannot have it
+  for (int i = 0; i < particles_; ++i) {
+    if (rows_[i].empty()) continue;
+    std::size_t free = 0;
+    if (rows_[i].size() >= all) {  // it acts upon all
+      free = colours_.size();
+    } else {
+      const auto take = [&](int j) {
+        if (colour[j] >= 0) taken_by[colour[j]] = i;
+      };
+      for (const int j : rows_[i]) {
+        take(j);
+        for (const int k : neighbours_[j]) take(k);
+      }
+      while (free < colours_.size() && taken_by[free] == i) ++free;
+    }
+    colour[i] = static_cast<int>(free);
+    if (free == colours_.size()) {
+      colours_.emplace_back();
+      taken_by.push_back(-1);
+    }
+    colours_[free].push_back(i);
+  }
 }
 
 /// Coefficient k of the forces.
@@ -120,6 +140,7 @@ Coordinates<double> ElementJacobian::product(const Coordinates<double>& u, const
 }
 
 void ElementJacobian::derivatives(By by, std::vector<JacobianEntry>& entries) {
+  colour();
   entries.clear();
   if (by == By::velocity && !reads_velocity_) return;
   double* const direction = (by == By::position ? x_ : v_).data() + f_.size();

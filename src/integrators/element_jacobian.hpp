@@ -4,7 +4,8 @@
 //
 // Coefficient 1 of the forces along x(t) = x + t u, v(t) = v + t w is dF/dx u + dF/dv w. Particles of one colour share
 // no neighbour: one such product gives a column for each of them (Curtis, Powell, Reid, IMA J. Appl. Math. 13 (1974)
-// 117).
+// 117). They are coloured when a Jacobian is asked for, which costs the sum over particles of their neighbours'
+// neighbours.
 
 #include <cstdint>
 #include <functional>
@@ -48,15 +49,18 @@ class ElementJacobian {
 
  private:
   void run(int k);
+  void colour();
   Coordinates<double> result() const;
 
   int particles_, dimension_, stride_;
   std::vector<ElementBlocks<double>> laws_;
   std::vector<bool> touched_, fixed_;
   bool reads_velocity_ = false;
-  std::vector<std::vector<int>> rows_;     // moving particle: those that it acts upon, itself first
-  std::vector<std::vector<int>> colours_;  // the particles of each
-  AlignedVector<double> x_, v_, f_;        // orders 0 and 1; padded rows
+  std::vector<std::vector<int>> neighbours_;  // moving ones, of moving particles
+  std::vector<std::vector<int>> rows_;        // wanted moving particle: those that it acts upon, itself first
+  std::vector<std::vector<int>> colours_;     // the particles of each
+  bool is_coloured_ = false;
+  AlignedVector<double> x_, v_, f_;  // orders 0 and 1; padded rows
   double time_ = 0;
   std::uint64_t element_coefficients_ = 0;
 };

@@ -38,7 +38,9 @@ double ExplicitImplicit::advance(const State<double>& from, double limit, State<
        from.velocity + h / 2 * a},
       p,
       for_all(h / 2)};
-  Coordinates<double> end = a;
+  Coordinates<double> end = a;  // the implicit ones stand still
+  for (Eigen::Index i = 0; i < end.rows(); ++i)
+    if (p(i) != 0) end.row(i) = -4 / h * from.velocity.row(i) - a.row(i);
   if (!solve(equations, from.time, end, report)) return 0.0;
   to.position = equations.stage.position + p.asDiagonal() * end;
   to.velocity = equations.stage.velocity + h / 2 * end;

@@ -100,7 +100,7 @@ namespace {
 
 double dot(const Coordinates<double>& a, const Coordinates<double>& b) { return a.cwiseProduct(b).sum(); }
 
-constexpr int few_products = 100;  // iterations, of two products each
+constexpr int few_products = 100, most_products = 1000;  // iterations, of two products each
 
 struct Iterated {
   Coordinates<double> d;
@@ -166,6 +166,7 @@ bool ImplicitMethod::solve(const Equations& equations, double begin, Coordinates
   const auto n = static_cast<Eigen::Index>(unknown.size());
   const double eps = std::numeric_limits<double>::epsilon();
   double last = std::numeric_limits<double>::infinity();
+  bool factor = n <= LinearSolver::dense_unknowns;
   for (int iteration = 0; iteration < 50; ++iteration) {
     const State<double> stage{from.time, from.position + p * u, from.velocity + q * u};
     if (!all_finite(stage.position, stage.velocity, begin, report)) return false;
@@ -177,11 +178,11 @@ bool ImplicitMethod::solve(const Equations& equations, double begin, Coordinates
     const Coordinates<double> residual = u - g - r * a;
     // A few products solve what is little stiff; a factorisation is dear, and solves the rest.
     Iterated change_of{{}, false};
-    if (n > LinearSolver::dense_unknowns)
-      change_of =
-          bicgstab(multiply, residual, n <= factored_unknowns ? few_products : static_cast<int>(2 * n));
+    if (!factor)
+      change_of = bicgstab(multiply, residual, n <= factored_unknowns ? few_products : most_products);
+    factor = n <= factored_unknowns && !change_of.converged;  // in the iterations to come too
     Coordinates<double>& d = change_of.d;
-    if (!change_of.converged && n <= factored_unknowns) {
+    if (factor) {
       d = solver_->solve(stage, unknown, r, equations.p, equations.q, residual);
       if (n < u.size()) {  // the others follow
         Coordinates<double> others = residual - multiply(d);
@@ -210,8 +211,8 @@ bool ImplicitMethod::solve(const Equations& equations, double begin, Coordinates
 double ImplicitMidpoint::advance(const State<double>& from, double limit, State<double>& to, Report& report) {
   const double h = fixed_length(from, step_, limit, report);
   Coordinates<double> w;
-  if (h == 0.0 || !accelerations_(from, w, report)) return 0.0;
-  w = from.velocity + h / 2 * w;
+  if (h == 0.0 || !accelerations_(from, w, report)) return 0.0;  // says where a motion begins at a singular point
+  w.setZero();
   const Equations equations{from.velocity,
                             h / 2,
                             {from.time + h / 2, from.position, Coordinates<double>::Zero(w.rows(), w.cols())},
@@ -233,21 +234,19 @@ double Newmark::advance(const State<double>& from, double limit, State<double>& 
       {from.time + h, from.position + h * from.velocity + h * h / 4 * a, from.velocity + h / 2 * a},
       for_all(h * h / 4),
       for_all(h / 2)};
-  Coordinates<double> end = a;
+  Coordinates<double> end = -4 / h * from.velocity - a;
   if (!solve(equations, from.time, end, report)) return 0.0;
   to.position = equations.stage.position + h * h / 4 * end;
   to.velocity = equations.stage.velocity + h / 2 * end;
   return h;
 }
 
-/// The parabola that begins as the step does and ends where it does: of Newmark and the midpoint rule, the motion under
-/// the mean acceleration.
 Piece ImplicitMethod::piece() const {
   const double h = length();
-  const Coordinates<double> a = (after().velocity - before().velocity) / h,
-                            half = ((after().position - before().position) / h - before().velocity) / h;
-  return {
-      before().time, before().time + h, {before().position, before().velocity, half}, {before().velocity, a}};
+  return {before().time,
+          before().time + h,
+          {before().position, (after().position - before().position) / h},
+          {before().velocity, (after().velocity - before().velocity) / h}};
 }
 
 }  // namespace jetlag

@@ -55,6 +55,7 @@ struct IntegratorFactory {
   int largest_degree;
   bool at_least = false;  // mean_orders is a lower bound
   std::optional<SeriesMethod> series{};
+  int cycle = 1;  // steps of the control in a step
 };
 
 struct MethodArguments {
@@ -268,9 +269,11 @@ IntegratorFactory read_explicit_implicit(const MethodArguments& arguments) {
 IntegratorFactory read_subcycled_implicit(const MethodArguments& arguments) {
   const auto options =
       read_implicit_subcycling(arguments.integrator, read_step_without_courant(arguments), *arguments.system);
-  return one_step_method(arguments, 4.0 * options.ratio, [system = arguments.system, options] {
+  auto factory = one_step_method(arguments, 4.0 * options.ratio, [system = arguments.system, options] {
     return std::make_unique<ImplicitSubcycling>(*system, options);
   });
+  factory.cycle = options.ratio;
+  return factory;
 }
 
 /// "inner": a deterministic method, for steps of any length.
@@ -389,7 +392,7 @@ Method read_method(const Value& scene, std::shared_ptr<const System<double>> sys
       chosen(integrator, integrators).read({integrator, control, std::move(system), seed, threads});
   std::optional<double> fixed_step;
   if (control.at("type").text() == "fixed" && !control.has("courant"))
-    fixed_step = control.at("step").number(positive);
+    fixed_step = method.cycle * control.at("step").number(positive);
   return {[make = method.make] { return std::make_unique<Lockstep>(make()); },
           method.series,
           static_cast<std::uint64_t>(max_steps),

@@ -11,8 +11,9 @@
 
 namespace jetlag {
 
-/// The shortest step h times powers of two, with  (2^l h) omega_h <= most,  omega_h = 2/h asin(h omega / 2),
-/// omega = frequency_bound(system).
+/// The shortest step h times powers of two, with  (2^l h) omega_h <= most,  omega_h = 2/h asin(h omega / 2), and within
+/// the limit of leapfrog,  2^l h omega < 2,  omega = frequency_bound(system): the fastest motion may be due to elements
+/// of the longest step alone.
 class NestedSteps {
  public:
   /// shortest: h [s]. Throws std::invalid_argument where it is beyond 2/omega, and where no element has a stiffness.
@@ -26,7 +27,7 @@ class NestedSteps {
       throw std::invalid_argument("without_resonance: the shortest step is " + std::to_string(shortest) +
                                   "; must be below 2/omega = " + std::to_string(2 / omega));
     const double omega_h = 2 / shortest * std::asin(shortest * omega / 2);
-    while (2 * longest_ * omega_h <= most) longest_ *= 2;
+    while (2 * longest_ * omega_h <= most && 2 * longest_ * omega < 2) longest_ *= 2;
   }
 
   /// The longest of them that is not longer than `step`.

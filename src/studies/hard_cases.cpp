@@ -159,9 +159,12 @@ std::vector<HardCase> hard_cases() {
   all.push_back(of("H3 masses 1 and 1e-6", "a fast light mass on a slow heavy one", line({1, 1e-6}, {1, 1}),
                    {{0}, {0}, {0}}, {{0}, {1}, {0}}, 100,
                    {{0}, {-0.5064085032404720146348}, {-0.5063947665026834389444}}));
+  all.back().stiff = {2};
+  all.back().slow = {1};
   all.push_back(of("H3 springs 1 and 1e6", "a stiff spring after a soft one", line({1, 1}, {1, 1e6}),
                    {{0}, {0}, {1e-3}}, {{0}, {1}, {0}}, 100,
                    {{0}, {0.7062645918419748759951}, {0.7074878714915396950005}}));
+  all.back().stiff = {1, 2};
   System<double> henon_heiles(2, {1.0});
   henon_heiles.add<HenonHeiles>({{0}}, {{}});
   all.push_back(of("H4 Henon-Heiles, chaotic", "disturbances grow 7.6e4 times", std::move(henon_heiles),
@@ -178,6 +181,8 @@ std::vector<HardCase> hard_cases() {
                      std::move(spring), {{0, 0}, {1, 0}}, {{0, 0}, {-1.2, delta}}, 10, {{0, 0}, end}));
   }
   all.push_back(resonance());
+  all.back().stiff = {1};
+  all.back().slow = {2};
   System<double> lorenz(3, {1.0});
   lorenz.add<LorenzForce>({{0}}, {{}});
   all.push_back(of("H7 Lorenz", "chaos; forces depend on velocities", std::move(lorenz), {{-10, -1, 40}},

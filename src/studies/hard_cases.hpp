@@ -21,6 +21,8 @@ struct HardCase {
   State<double> initial;
   double until;             // [s]
   Coordinates<double> end;  // positions at `until` [m]; of fixed particles as they are
+  std::vector<int> stiff{},
+      slow{};  // particles that methods with two parts treat so; empty: the last, the first
 };
 std::vector<HardCase> hard_cases();
 
@@ -30,7 +32,7 @@ struct HardMethod {
   nlohmann::ordered_json integrator, control, schedule;
   bool has_step = false;
   std::string
-      last_particle_in;  // a list of the integrator that is filled in with the last particle that moves
+      part;  // a list of the integrator that is filled in: "implicit", stiff particles; "coarse", slow ones
 };
 std::vector<HardMethod> hard_methods();
 

@@ -39,20 +39,47 @@ HardMethod chosen_steps(std::string name, Json integrator, Json control, Json sc
 
 HardMethod partitioned(std::string name, Json integrator, std::string list) {
   HardMethod method = stepped(std::move(name), std::move(integrator));
-  method.last_particle_in = std::move(list);
+  method.part = std::move(list);
   return method;
 }
 
-/// The largest distance of a particle from where it began.
+std::vector<int> part_of(const HardCase& hard, bool stiff) {
+  if (const auto& named = stiff ? hard.stiff : hard.slow; !named.empty()) return named;
+  std::vector<int> moving;
+  for (int i = 0; i < hard.system->particles(); ++i)
+    if (!hard.system->fixed()[i]) moving.push_back(i);
+  return {stiff ? moving.back() : moving.front()};
+}
+
+/// The size of the motion: the largest distance of a particle from where it began, or from the origin at the end.
 double extent(const HardCase& hard) {
   const double moved = (hard.end - hard.initial.position).rowwise().norm().maxCoeff();
   return std::max(moved, hard.end.rowwise().norm().maxCoeff());
 }
 
-int moving_elements(const System<double>& system) {
+int elements_of(const System<double>& system) {
   std::size_t count = 0;
   for (const auto& elements : system.elements()) count += elements.count();
   return static_cast<int>(count);
+}
+
+/// The step of the control at which a run spends so many evaluations, from the first 50th of it at a guess.
+template <class Read>
+double step_for(const HardCase& hard, const Read& read, double evaluations) {
+  constexpr double probe = 1e-3;
+  const Method guess = read(probe);
+  const double per_step =
+      guess.fixed_step ? *guess.fixed_step / probe : 1.0;  // steps of the control in a step
+  const auto control_step = [&](double each) {
+    return hard.until / std::max(1.0, std::floor(evaluations / each)) / per_step;
+  };
+  const auto schedule = read(control_step(guess.mean_orders)).schedule();
+  State<double> state = hard.initial;
+  schedule->run(state, hard.until / 50, {});
+  const Work& work = schedule->work();
+  const double spent = static_cast<double>(work.element_coefficients) / elements_of(*hard.system);
+  return control_step(work.steps > 0 && spent > 0 ? spent / static_cast<double>(work.steps)
+                                                  : guess.mean_orders);
 }
 
 }  // namespace
@@ -106,11 +133,7 @@ HardResult run_hard_case(const HardCase& hard, const HardMethod& method, double 
   using Verdict = HardResult::Verdict;
   Json json = {{"integrator", method.integrator}, {"control", method.control}};
   if (!method.schedule.is_null()) json["schedule"] = method.schedule;
-  if (!method.last_particle_in.empty()) {
-    int last = hard.system->particles() - 1;
-    while (hard.system->fixed()[last]) --last;
-    json["integrator"][method.last_particle_in] = {last};
-  }
+  if (!method.part.empty()) json["integrator"][method.part] = part_of(hard, method.part == "implicit");
   const auto read = [&](double step) {
     Json copy = json;
     if (method.has_step) copy["control"]["step"] = step;
@@ -124,15 +147,14 @@ HardResult run_hard_case(const HardCase& hard, const HardMethod& method, double 
   State<double> state = hard.initial;
   const double start = processor_seconds();
   try {
-    const double each = method.has_step ? read(1e-3).mean_orders : 1.0;
-    const auto schedule = read(hard.until / std::max(1.0, std::floor(evaluations / each))).schedule();
+    const auto schedule = read(method.has_step ? step_for(hard, read, evaluations) : 0.0).schedule();
     RunOptions options;
     int calls = 0;
     options.go_on = [&](double) { return ++calls % 64 != 0 || processor_seconds() - start < limit; };
     const Report report = schedule->run(state, hard.until, options);
     result.seconds = processor_seconds() - start;
     result.evaluations =
-        static_cast<double>(schedule->work().element_coefficients) / moving_elements(*hard.system);
+        static_cast<double>(schedule->work().element_coefficients) / elements_of(*hard.system);
     result.message = report.message;
     if (report.outcome != Outcome::success) {
       result.verdict = report.outcome == Outcome::interrupted ? Verdict::slow : Verdict::failed;

@@ -70,6 +70,23 @@ TEST(AviResonance, BeginsWhereTheFormulaOfTheSoftImpulseSays) {
 
 // ---- the cure ----------------------------------------------------------------------------------------------
 
+/// F = k d, d = x_1 - x_0.
+struct Tie {
+  static constexpr const char* name = "tie";
+  static constexpr int participants = 2;
+  static constexpr std::array parameters{"stiffness"};
+  static constexpr int stiffness_parameter = 0;
+
+  template <class T, int D>
+  static Vector<T, D> force(const Participants<T, D, 2>& p, const T& stiffness) {
+    return stiffness * Vector<T, D>(p.position[1] - p.position[0]);
+  }
+  template <class T, int D>
+  static T energy(const Participants<T, D, 2>& p, const T& stiffness) {
+    return T(0.5) * stiffness * Vector<T, D>(p.position[1] - p.position[0]).squaredNorm();
+  }
+};
+
 /// The largest energy over that of the start, looked at every so often during a million impulses.
 double largest_growth(const ElementSteps& steps, std::uint64_t impulses) {
   const Scene chain = wall_chain();
@@ -100,6 +117,29 @@ TEST(AviResonance, IsAvoidedByStepsThatNestBelowIt) {
     EXPECT_EQ(cured[0][0], h);                   // the shortest step stays
     EXPECT_EQ(cured[0][1], r == 5 ? 2 * h : h);  // 4 h would be at 0.80 pi
   }
+}
+
+TEST(AviResonance, IsAvoidedWhereManySoftElementsMakeAMassFast) {
+  // A mass on 14 springs of k = 1, omega = sqrt(14), beside a pair with k = 2, omega = 2: each spring by itself allows
+  // steps of 2, together they allow 2/sqrt(14) = .53. At .6 = 8 x .075 they are at .71 pi, and the mass is thrown about.
+  System<double> system(1, std::vector<double>(17, 1.0));
+  for (int i = 1; i <= 14; ++i) system.fix(i);
+  for (int i = 1; i <= 14; ++i) system.add<Tie>({{0, i}}, {{1.0}});
+  system.add<Tie>({{15, 16}}, {{2.0}});
+  State<double> start{0.0, Coordinates<double>::Zero(17, 1), Coordinates<double>::Zero(17, 1)};
+  start.position(0, 0) = start.position(15, 0) = 0.1;
+  EnergyMeter energy(system);
+  const auto growth = [&](const ElementSteps& steps) {
+    State<double> state = start;
+    Avi avi(system, steps);
+    if (avi.run(state, 200.0, {}).outcome != Outcome::success) return HUGE_VAL;
+    return energy(state).total() / energy(start).total();
+  };
+  ElementSteps plain = equal_steps(system, 0.6);
+  plain.back()[0] = 0.075;
+  EXPECT_GT(growth(plain), 1e10);
+  // Halved, as leapfrog: .3 sqrt(14) / 2 = .56, at most 1/(1 - .56^2) = 1.46 of the start.
+  EXPECT_LT(growth(without_resonance(system, plain)), 1.5);
 }
 
 TEST(AviResonance, IsAvoidedAtEveryStepThatLeapfrogCouldTake) {

@@ -12,7 +12,7 @@
 // Source: T. Belytschko, R. Mullen, Stability of explicit-implicit mesh partitions in time integration, Int. J. Numer.
 // Methods Eng. 12 (1978) 1575.
 //
-// Promises: order 2, symmetric; an energy that oscillates and does not drift. For linear forces it is stable exactly for
+// Promises: order 2, symmetric. For linear forces the energy oscillates and does not drift, and it is stable exactly for
 //     h < 2 / omega_E,
 // omega_E the fastest frequency of the explicit particles while the implicit ones are held (the largest eigenvalue of
 // K_EE over the masses is its square): however stiff what acts on implicit particles only, it does not matter, and no

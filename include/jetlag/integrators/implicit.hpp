@@ -22,9 +22,9 @@ class NewtonSolver;
 class ImplicitMethod : public OneStep {
  public:
   ~ImplicitMethod() override;
-  /// A parabola in the position, a line in the velocity: errors of O(h^3) and O(h^2) within a step.
+  /// Lines in position and velocity, errors of O(h^2): nothing within a stiff step has more energy than its ends.
   Piece piece() const override;
-  static constexpr int factored_unknowns = 20000;
+  static constexpr int factored_unknowns = 100000;
 
  protected:
   ImplicitMethod(const System<double>& system, double step);
@@ -34,7 +34,8 @@ class ImplicitMethod : public OneStep {
     State<double> stage;   // t_s, x_s, v_s
     Eigen::VectorXd p, q;  // shape (particles)
   };
-  /// Solves them from a guess. False with a report where Newton's method does not converge.
+  /// Solves them from a guess, which should leave the particles where they are: accelerations that are taken over a stiff
+  /// step throw them through each other, to solutions that are none of the motion. False with a report where Newton's method does not converge.
   bool solve(const Equations& equations, double begin, Coordinates<double>& u, Report& report);
 
   Eigen::VectorXd for_all(double factor) const;  // shape (particles)
