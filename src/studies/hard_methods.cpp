@@ -198,11 +198,19 @@ std::string brief(const std::string& message) {
   return message.size() <= most ? message : message.substr(0, most) + "..";
 }
 
+/// "H4", or with the last word of the name where there are several of that number: "H1 0.99".
+std::string label(const HardCase& hard, const std::vector<HardCase>& cases) {
+  const auto number_of = [](const HardCase& one) { return one.name.substr(0, one.name.find(' ')); };
+  const std::string number = number_of(hard);
+  if (std::ranges::count(cases, number, number_of) < 2) return number;
+  return number + hard.name.substr(hard.name.rfind(' '));
+}
+
 /// One row a method, one column a case: the error, or what happened.
 std::string summary(const std::vector<HardCase>& cases, const std::vector<HardMethod>& methods,
                     const std::vector<std::vector<HardResult>>& results) {
   std::string text = "| method |";
-  for (const HardCase& hard : cases) text += ' ' + hard.name + " |";
+  for (const HardCase& hard : cases) text += ' ' + label(hard, cases) + " |";
   text += "\n|---|";
   for (std::size_t c = 0; c < cases.size(); ++c) text += "---|";
   text += "\n";
@@ -215,6 +223,9 @@ std::string summary(const std::vector<HardCase>& cases, const std::vector<HardMe
     }
     text += "\n";
   }
+  text += "\n";
+  for (const HardCase& hard : cases)
+    text += fmt::format("- {}: {}; until {:.6g} s\n", hard.name, hard.difficulty, hard.until);
   return text;
 }
 

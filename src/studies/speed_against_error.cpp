@@ -190,15 +190,14 @@ void compare(const TestProblem& problem, const Arguments& arguments, const std::
   fmt::print("{:<22} {:<30} {:>10} {:>11} {:>11} {:>12} {:>9} {:>7}\n", "family", "method", "step [s]",
              "error [m]", "energy", "elem. coef.", "CPU [s]", "degree");
   std::vector<Row> rows;
-  for (const Competitor& competitor : all) try {
-      for (int i = 0; i < (competitor.has_step ? arguments.steps : 1); ++i) {
+  for (const Competitor& competitor : all)
+    for (int i = 0; i < (competitor.has_step ? arguments.steps : 1); ++i) try {
         rows.push_back(
             run(problem, competitor, std::ldexp(problem.largest_step, -i), arguments.seeds, arguments.limit));
         print(rows.back());
+      } catch (const SceneError& error) {  // not every method can do every problem, or every step
+        fmt::print("{:<22} {:<30} {}\n", competitor.family, competitor.name, error.what());
       }
-    } catch (const SceneError& error) {  // not every method can do every problem
-      fmt::print("{:<22} {:<30} {}\n", competitor.family, competitor.name, error.what());
-    }
   print_least_work(rows, 10 * problem.end_error);
   write_file(arguments.folder / (problem.name + ".csv"), csv_of(rows));
   fmt::print("\n{}\n", (arguments.folder / (problem.name + ".csv")).string());
