@@ -211,7 +211,8 @@ bool ImplicitMethod::solve(const Equations& equations, double begin, Coordinates
 double ImplicitMidpoint::advance(const State<double>& from, double limit, State<double>& to, Report& report) {
   const double h = fixed_length(from, step_, limit, report);
   Coordinates<double> w;
-  if (h == 0.0 || !accelerations_(from, w, report)) return 0.0;  // says where a motion begins at a singular point
+  if (h == 0.0 || !accelerations_(from, w, report))
+    return 0.0;  // says where a motion begins at a singular point
   w.setZero();
   const Equations equations{from.velocity,
                             h / 2,

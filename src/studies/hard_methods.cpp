@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The methods, their runs, and the table.
 #include <fmt/format.h>
-#include <time.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -17,18 +16,13 @@
 #include "scenes/parts.hpp"
 #include "studies/command_line.hpp"
 #include "studies/hard_cases.hpp"
+#include "studies/processor_time.hpp"
 
 namespace jetlag {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-double processor_seconds() {
-  timespec t;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 HardMethod stepped(std::string name, Json integrator) {
   return {std::move(name), std::move(integrator), {{"type", "fixed"}}, {}, true, {}};

@@ -2,7 +2,6 @@
 #include "studies/speed_against_error.hpp"
 
 #include <fmt/format.h>
-#include <time.h>
 
 #include <algorithm>
 #include <array>
@@ -18,6 +17,7 @@
 #include "jetlag/scenes/error.hpp"
 #include "scenes/parts.hpp"
 #include "studies/competitors.hpp"
+#include "studies/processor_time.hpp"
 #include "studies/test_problems.hpp"
 #include "studies/work_precision_chart.hpp"
 
@@ -45,12 +45,6 @@ struct Row {
 };
 
 constexpr double longest_repeated = 0.05;  // [s]: longer runs are warm after their first steps
-
-double processor_seconds() {
-  timespec t;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 /// step: filled in where the method has one.
 Row run(const TestProblem& problem, const Competitor& competitor, double step, int seeds, double limit) {

@@ -5,14 +5,16 @@
 
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include "scenes/parts.hpp"
 
 namespace jetlag::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::StartsWith;
 using Verdict = HardResult::Verdict;
 
 HardCase hard_case(const std::string& name) {
@@ -33,6 +35,13 @@ TEST(HardCases, AreKnownFromOneToTen) {
   std::vector<int> counts(11, 0);
   for (const HardCase& hard : hard_cases()) ++counts.at(std::stoi(hard.name.substr(1)));
   for (int h = 1; h <= 10; ++h) EXPECT_GT(counts[h], 0) << 'H' << h;
+}
+
+TEST(HardCases, AreGivenToEveryMethod) {
+  std::set<std::string> given;
+  for (const HardMethod& method : hard_methods()) given.insert(method.integrator.at("type"));
+  for (const std::string& type : integrator_types())
+    EXPECT_TRUE(given.contains(type)) << type << ": add it to hard_methods() in src/studies/hard_methods.cpp";
 }
 
 TEST(HardCases, EndWhereTaylorSeriesOfDegreeTwentyEnd) {

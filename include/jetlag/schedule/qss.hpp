@@ -21,6 +21,9 @@
 // Stiff systems chatter: about an equilibrium a component has events at the rate of the system, however small its
 // motion. Implicit methods are for them.
 //
+// Cost: an event renews the forces between a particle and its neighbours and sums those on each of them anew, the
+// neighbours of its neighbours: 600 us for 200 bodies that all attract each other. It is for networks.
+//
 // Forces are expanded along the quantized states and renewed where a quantized state changes. A force that changes for
 // another reason, because it depends on the time or has a border such as the surface of a floor, is seen at the next
 // event: for these `max_step` must be given.
