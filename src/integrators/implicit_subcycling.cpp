@@ -291,10 +291,12 @@ double ImplicitSubcycling::advance(const State<double>& from, double limit, Stat
   return 0.0;
 }
 
+/// In units of h where a rounding over h would overflow: the lengths of steps down to 1e-300 are allowed at t = 0.
 Piece ImplicitSubcycling::piece() const {
-  const Coordinates<double> left[] = {before().position, before().velocity},
-                            right[] = {after().position, after().velocity};
-  return hermite_piece(before().time, length(), left, right);
+  const double h = length(), unit = h < 1e-100 ? h : 1.0;
+  const Coordinates<double> way = (after().position - before().position) / (h / unit),
+                            change = (after().velocity - before().velocity) / (h / unit);
+  return {before().time, before().time + h, {before().position, way}, {before().velocity, change}, unit};
 }
 
 }  // namespace jetlag

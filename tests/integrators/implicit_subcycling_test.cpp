@@ -151,6 +151,75 @@ TEST(ImplicitSubcycling, SolvesLargeScenes) {
   EXPECT_GT((state.position - start.position).norm(), 1.0);
 }
 
+/// wall - 1e6 - A - 1 - B, unit masses, displacements; B is particle 2.
+Scene stiff_chain() {
+  System<double> system(1, std::vector<double>(3, 1.0));
+  system.fix(0);
+  system.add<LinearSpring>({{0, 1}, {1, 2}}, {{1e6}, {1.0}});
+  Scene scene{std::move(system), {0.0, Coordinates<double>::Zero(3, 1), Coordinates<double>::Zero(3, 1)}};
+  scene.start.position(1, 0) = 0.1;
+  scene.start.position(2, 0) = -0.5;
+  return scene;
+}
+
+TEST(ImplicitSubcycling, NoEnergyIsInventedWithinACycle) {
+  // omega h = 100. The energy is convex, and on a line between two states of one energy never above it. At the ends
+  // it stays to eps (omega dt / 2)^2 = 25 eps in each of 100 substeps.
+  const Scene chain = stiff_chain();
+  EnergyMeter energy(chain.system);
+  const double begin = energy(chain.start).total();
+  ImplicitSubcycling method(chain.system, options(0.01, 10, {2}));
+  State<double> state = chain.start;
+  Report report;
+  for (int cycle = 0; cycle < 10; ++cycle) {
+    const double h = method.step(state, 1.0, report);
+    ASSERT_GT(h, 0.0) << report.message;
+    const Piece piece = method.piece();
+    for (int frame = 0; frame <= 100; ++frame)
+      EXPECT_LT(energy(piece.at(piece.begin + frame / 100.0 * h)).total() / begin, 1 + 1e-12)
+          << cycle << " " << frame;
+    state.time += h;
+  }
+}
+
+TEST(ImplicitSubcycling, WithinACycleTheErrorIsThatOfALine) {
+  // x = cos t: a line over h is wrong by at most h^2 / 8 = 1.25e-3, positions and velocities, and its ends at t = 1 by
+  // (h / 2)^2 t / 12 = 2.1e-4, the phase of the trapezoidal rule in steps of h / 2.
+  const Scene scene = oscillator();
+  ImplicitSubcycling method(scene.system, options(0.05, 2, {}));
+  State<double> state = scene.start;
+  Report report;
+  double worst = 0;
+  for (int cycle = 0; cycle < 10; ++cycle) {
+    const double h = method.step(state, 1.0, report);
+    ASSERT_GT(h, 0.0) << report.message;
+    const Piece piece = method.piece();
+    for (int frame = 0; frame <= 20; ++frame) {
+      const State<double> at = piece.at(piece.begin + frame / 20.0 * h);
+      worst = std::max({worst, std::abs(at.position(0, 0) - std::cos(at.time)),
+                        std::abs(at.velocity(0, 0) + std::sin(at.time))});
+    }
+    state.time += h;
+  }
+  EXPECT_LT(worst, 1.25e-3 + 2.1e-4);
+}
+
+TEST(ImplicitSubcycling, TheShortestStepHasAPiece) {
+  // Of 1e-300 s, in which nothing moves by more than a rounding of it.
+  const Scene chain = wall_chain();
+  for (const double h : {1e-300, 1e-310, std::numeric_limits<double>::denorm_min()}) {
+    ImplicitSubcycling method(chain.system, options(0.01, 10, {2}));
+    State<double> state = chain.start;
+    Report report;
+    ASSERT_EQ(method.step(state, h, report), h) << report.message;
+    const Piece piece = method.piece();
+    for (const double t : {0.0, h}) {
+      EXPECT_LT((piece.at(t).position - chain.start.position).norm(), 1e-15) << h;
+      EXPECT_LT((piece.at(t).velocity - chain.start.velocity).norm(), 1e-15) << h;
+    }
+  }
+}
+
 TEST(ImplicitSubcycling, RefusesWhatItCannotDo) {
   const Scene chain = wall_chain();
   for (const auto& bad : {options(0.0, 1, {}), options(0.1, 0, {}), options(0.1, 2, {4}),
