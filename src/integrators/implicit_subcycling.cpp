@@ -6,6 +6,8 @@
 #include <limits>
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "integrators/element_jacobian.hpp"
 #include "integrators/linear_solver.hpp"
@@ -29,14 +31,21 @@ bool has_fine(const System<double>& system, const std::vector<bool>& coarse, std
   return std::ranges::any_of(members, [&](int i) { return !coarse[i] && !system.fixed()[i]; });
 }
 
+constexpr double gibibyte = 1 << 30, most_bytes = 2 * gibibyte;  // of a cycle
+
+/// How many substeps of at most dt a cycle of length h <= ratio * dt takes; h / dt may be some roundings too large.
+int substeps(double h, double dt, int ratio) {
+  if (h >= ratio * dt) return ratio;
+  return std::clamp(static_cast<int>(std::ceil(h / dt * (1 - 1e-9))), 1, ratio);
+}
+
 }  // namespace
 
 /// A cycle, and Newton's method on it.
 class SubcyclingSolver {
  public:
-  SubcyclingSolver(const System<double>& system, const std::vector<int>& coarse, int ratio)
+  SubcyclingSolver(const System<double>& system, const std::vector<int>& coarse)
       : dimension_(system.dimension()),
-        ratio_(ratio),
         coarse_(chosen(system, coarse)),
         mass_(system.mass()),
         fine_elements_(system, [&](auto members) { return has_fine(system, coarse_, members); }),
@@ -60,9 +69,21 @@ class SubcyclingSolver {
     return fine_elements_.element_coefficients() + coarse_elements_.element_coefficients();
   }
 
+  /// About what a cycle keeps, in bytes: of each substep the state, and the change of its fine velocities with their
+  /// response to the interface; six more such matrices in work; and i^2 numbers in the pull on the interface, in the
+  /// entries of the coarse matrix, in that matrix and in its factors.
+  double bytes(int ratio) const {
+    const double m = ratio, i = interface_;
+    return 8 * ((m + 6) * fine_unknowns_ * (1 + i) + 2 * (m + 1) * static_cast<double>(place_.size()) +
+                8 * i * i);
+  }
+  int fine_unknowns() const { return fine_unknowns_; }
+  int interface_unknowns() const { return interface_; }
+
   /// The states at the ends of the substeps, all in one place, by velocities to and fro: from there the first pass is a
   /// linearly implicit method. Accelerations taken over a stiff step would lead far away.
-  void stand_still(const State<double>& from, double h) {
+  void stand_still(const State<double>& from, double h, int ratio) {
+    ratio_ = ratio;
     h_ = h;
     dt_ = h / ratio_;
     states_.assign(ratio_ + 1, from);
@@ -112,7 +133,8 @@ class SubcyclingSolver {
 
   void move();
 
-  int dimension_, ratio_;
+  int dimension_;
+  int ratio_ = 1;  // of this cycle
   std::vector<bool> coarse_;
   std::vector<double> mass_;
   ElementJacobian fine_elements_, coarse_elements_;  // with a fine particle; without
@@ -203,7 +225,7 @@ double SubcyclingSolver::improve() {
     for (const auto& entry : by_position_) new_part(entry, dt_ / 2);
     for (const auto& entry : by_velocity_) new_part(entry, 1);
     changes.push_back(dv);
-    of_force = on_fine;
+    of_force = std::move(on_fine);
     const double weight = j < ratio_ ? dt_ : dt_ / 2;
     pull += weight * on_interface;
     add(weight, force);
@@ -256,7 +278,17 @@ ImplicitSubcycling::ImplicitSubcycling(const System<double>& system, Options opt
                                   " is named twice");
     named[i] = true;
   }
-  solver_ = std::make_unique<SubcyclingSolver>(system, options_.coarse, options_.ratio);
+  solver_ = std::make_unique<SubcyclingSolver>(system, options_.coarse);
+  if (const double bytes = solver_->bytes(options_.ratio); bytes > most_bytes) {
+    std::ostringstream text;
+    text << "implicit_subcycling: a cycle of " << options_.ratio << " substeps with "
+         << solver_->fine_unknowns() << " fine components and " << solver_->interface_unknowns()
+         << " of the interface needs " << bytes / gibibyte << " GiB of memory, at most "
+         << most_bytes / gibibyte
+         << " are allowed; take a smaller ratio, or fewer coarse particles that share an element with a fine "
+            "one";
+    throw std::invalid_argument(text.str());
+  }
 }
 
 ImplicitSubcycling::~ImplicitSubcycling() = default;
@@ -269,7 +301,7 @@ double ImplicitSubcycling::advance(const State<double>& from, double limit, Stat
   if (h == 0.0 || !accelerations_(from, a, report)) return 0.0;
   const double eps = std::numeric_limits<double>::epsilon();
   double last = std::numeric_limits<double>::infinity();
-  solver_->stand_still(from, h);
+  solver_->stand_still(from, h, substeps(h, options_.step, options_.ratio));
   for (int iteration = 0; iteration < 50; ++iteration) {
     const double change = solver_->improve();
     other_element_coefficients_ = solver_->element_coefficients();
@@ -291,10 +323,12 @@ double ImplicitSubcycling::advance(const State<double>& from, double limit, Stat
   return 0.0;
 }
 
+/// In units of h where a rounding over h would overflow: the lengths of steps down to 1e-300 are allowed at t = 0.
 Piece ImplicitSubcycling::piece() const {
-  const Coordinates<double> left[] = {before().position, before().velocity},
-                            right[] = {after().position, after().velocity};
-  return hermite_piece(before().time, length(), left, right);
+  const double h = length(), unit = h < 1e-100 ? h : 1.0;
+  const Coordinates<double> way = (after().position - before().position) / (h / unit),
+                            change = (after().velocity - before().velocity) / (h / unit);
+  return {before().time, before().time + h, {before().position, way}, {before().velocity, change}, unit};
 }
 
 }  // namespace jetlag

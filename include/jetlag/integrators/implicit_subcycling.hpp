@@ -33,7 +33,18 @@
 // depend on velocities or time are welcome. What is not resolved: frequencies above 1/h of coarse particles, 1/dt of
 // fine ones.
 //
-// Cost of a cycle: twice or more, m factorisations of the fine matrix and m (interface components) solves with it.
+// No promises. On nonlinear forces in steps that do not resolve them the energy is not bounded, as with Newmark's,
+// and sooner for m > 1: two unit masses 1.2 m apart on a spring of 1 m and 1e6 N/m, turning at 0.1 m/s, dt = 0.01 s,
+// change their energy in 1 s by 0.7 % at m = 1 and by 460 % at m = 2 (at dt = 0.001 s by 5e-7 and 3e-7). And the centre
+// of mass of coarse and fine particles follows their momentum only to O(h^2), since the velocity of only the fine ones
+// swings within a cycle: without the turning it goes to and fro by dt^2 F / 4 kg = 5 m at m = 2, F = 2e5 N.
+//
+// Cost of a cycle: twice or more, once for each iteration of Newton's method, m factorisations of the sparse fine
+// matrix and m (1 + i) solves with it, i the moving components of the interface; and a factorisation of a coarse matrix
+// that is dense in the i. The responses are dense and kept through the cycle: memory 8 m f i bytes, f the fine
+// components; with what is in work about 8 ((m + 6) f (1 + i) + 8 i^2 + 2 (m + 1) n), n all components. So it is made
+// for an interface that is small beside the fine part, and not for coarse and fine particles mixed at random: a cloth
+// of 40 x 40 particles, half of them coarse (f = 2484, i = 2208), at m = 2 takes 11 s and 620 MB for one cycle.
 
 #include <vector>
 
@@ -47,16 +58,18 @@ class ImplicitSubcycling final : public OneStep {
  public:
   struct Options {
     double step = 0;  // dt, of fine particles [s], > 0; a step of the integrator is a cycle of ratio * step
-    int ratio = 1;    // m >= 1
+    int ratio = 1;    // m >= 1; a cycle that is cropped to h takes ceil(h / dt) equal substeps
     std::vector<int> coarse;  // particles; all others are fine. Fixed ones among them do not count.
   };
 
   /// Throws std::invalid_argument for a step or ratio out of range, and for a coarse particle that does not exist or is
-  /// named twice.
+  /// named twice; and for a ratio and an interface with which a cycle would need more than 2 GiB.
   ImplicitSubcycling(const System<double>& system, Options options);
   ~ImplicitSubcycling() override;
 
-  /// The cubics through positions and velocities at the ends of the cycle: the substeps are not in it.
+  /// Positions and velocities on lines between the ends of the cycle: the substeps are not in it. Errors within it are
+  /// O(h^2), as those of the method over a run. Where the energy is convex it is nowhere above that of the higher end;
+  /// cubics through the same states would take stiff springs that are not resolved to many times their length.
   Piece piece() const override;
 
  private:
