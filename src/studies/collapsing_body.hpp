@@ -7,8 +7,8 @@
 //       o---a---b---o         o---ab--'---o          offset: how far apart a and b pass each other
 //        \ / \ / \ /           \ / \|/ \ /
 //
-// While the ends are nearest, u / offset per second apart, their series have a radius of convergence of offset / u
-// (methods 1g), and a run that has one step for all must take it for all.
+// While the ends are nearest, u / offset per second apart, their series have a radius of convergence of offset / u,
+// and a run that has one step for all must take it for all.
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Two masses in a row, one a million times the other, or one of two springs: methods 13, H3.
+// Two masses in a row, one a million times the other, or one of two springs.
 
 #include <array>
 

@@ -26,7 +26,7 @@ struct LastTwoSizes {
 ///     f_k h^{k-2} <= max(f_2, f_3 h),   k > 3.
 ///
 /// The second rule keeps a step within the radius of convergence: without it particles that fall into each other would
-/// step over their collision as soon as they are nearer than the tolerance.         Source of the first: methods 15b.
+/// step over their collision as soon as they are nearer than the tolerance.         Source: ours, by experiment.
 /// infinity where the last coefficients vanish; 0 where a size is not a number or infinite.
 double last_two_step(const LastTwoSizes& sizes, double tolerance);
 

@@ -15,7 +15,7 @@
 // neighbour's step; a neighbour for which such differences add up to more than `notify` tolerances is woken: it is
 // updated at once, and counted in Work::wake_ups. Each particle is updated at most once at a tick, so that waking ends.
 //
-// Source: [MX] algorithm 1, corrected: methods 1f. Block steps (schedule/block.hpp) are more accurate at the same cost.
+// Source: [MX] algorithm 1, corrected. Block steps (schedule/block.hpp) are more accurate at the same cost.
 
 #include <cstdint>
 #include <vector>

@@ -4,7 +4,7 @@
 
 namespace jetlag {
 
-/// Source: methods 1c.
+/// Two ways to stop the velocity with the position.
 enum class VelocitySeries {
   own_series,  // its own, v = sum_{n<=K} w_n v_n h^n: one coefficient more of x is needed
   derivative,  // the derivative of the position's, v = sum_{1<=n<=K} w_n n x_n h^{n-1}: one order less
