@@ -191,7 +191,14 @@ bool ImplicitMethod::solve(const Equations& equations, double begin, Coordinates
       }
     }
     other_element_coefficients_ = solver_->element_coefficients();
-    if (!d.allFinite()) break;
+    if (!d.allFinite()) {
+      // An overflow of the motion is that; without one the equations have no solution.
+      const double most = std::max({largest(from.position), largest(from.velocity), largest(residual)});
+      if (most < 1e300) break;
+      const Coordinates<double> position = stage.position - p * d, velocity = stage.velocity - q * d;
+      if (!all_finite(position, velocity, begin, report)) return false;
+      break;
+    }
     u -= d;
     const double change = largest(d), change_x = largest(p * d), change_v = largest(q * d),
                  of_x = std::max({largest(from.position), largest(stage.position), largest(p * u)}),

@@ -130,7 +130,7 @@ TEST(Methods, AreDescribedByTheWholeCommentOnTopAndTheWholeDocstring) {
   const HeaderText avi = text("schedule/avi.hpp", "Avi");
   EXPECT_THAT(avi.top, HasSubstr("\n\n    element 0   |-------|"));
   EXPECT_TRUE(avi.top.ends_with(
-      "\nOther ratios of steps have narrower bands. `without_resonance` avoids them all.\n"));
+      "\nOther ratios of steps have narrower bands. `without_resonance` keeps out of them.\n"));
   EXPECT_EQ(avi.docstring, "");
 }
 
