@@ -37,8 +37,13 @@ double jorba_zou_step(std::span<const double> norms, double max_step) {
   for (const double norm : norms)
     if (!std::isfinite(norm)) return 0.0;
   const double log_sigma = (-2.0 - 0.5 / std::max(1, p - 1)) * std::numbers::log2e;
+  // A series ends early or not at all: where the last two vanish, as cancellation may have it, others stand in for them.
+  int last = p;
+  if (norms[p] == 0.0 && norms[p - 1] == 0.0)
+    for (int q = p - 2; q > p / 2 && last == p; --q)
+      if (norms[q] != 0.0) last = q;
   double h = max_step;
-  for (int q = p; q >= std::max(1, p - 1); --q) h = shortened(h, norms, q, log_sigma);
+  for (int q = last; q >= std::max(1, last - 1); --q) h = shortened(h, norms, q, log_sigma);
   return h;
 }
 
@@ -51,8 +56,10 @@ double JorbaZou::propose(const Prospect& prospect) {
   // where these vanish.
   const auto shortened = [&](double h, int low, const auto& coefficient) {
     for (int k = 0; k <= p; ++k) norms[k] = k <= low || k >= p - 1 ? coefficient(k) : 0.0;
-    if (std::all_of(norms.begin(), norms.begin() + std::min(low, p - 1) + 1,
-                    [](double c) { return c == 0.0; }))
+    const auto vanish = [&](int first, int last) {
+      return std::all_of(norms.begin() + first, norms.begin() + last + 1, [](double c) { return c == 0.0; });
+    };
+    if (vanish(0, std::min(low, p - 1)) || vanish(std::max(0, p - 1), p))
       for (int k = low + 1; k < p - 1; ++k) norms[k] = coefficient(k);
     return jorba_zou_step(norms, h);
   };

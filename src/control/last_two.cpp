@@ -36,6 +36,16 @@ double last_two_step(const LastTwoSizes& sizes, double tolerance) {
   return std::exp2(log_h);
 }
 
+double step_within_radius(const LastTwoSizes& sizes) {
+  double h = infinity;
+  for (int i = 0; i < 2; ++i) {
+    const int k = sizes.degree - 1 + i;
+    if (k > 3 && sizes.first[0] > 0 && sizes.last[i] > 0)
+      h = std::min(h, 0.7 * std::pow(2 * sizes.first[0] / (k * (k - 1) * sizes.last[i]), 1.0 / (k - 2)));
+  }
+  return h;
+}
+
 LastTwo::LastTwo(double tolerance, double max_step) : tolerance_(tolerance), max_step_(max_step) {
   require_positive("tolerance", tolerance);
   require_positive("max_step", max_step, true);
@@ -51,7 +61,7 @@ LastTwoAllows::LastTwoAllows(int degree, double tolerance, double h)
 }
 
 bool LastTwoAllows::operator()(const LastTwoSizes& c) const {
-  if (!in_range_) return last_two_step(c, tolerance_) >= h_;
+  if (!in_range_ || c.degree != degree_) return last_two_step(c, tolerance_) >= h_;
   const bool drifts = c.first[0] * h_ * h_ <= 1e-6 * tolerance_;
   const double force = s_ * s_ * std::max(2 * c.first[0], 6 * c.first[1] * s_);
   for (int i = 0; i < 2; ++i) {
@@ -81,8 +91,9 @@ double LastTwo::propose(const Prospect& prospect) {
   double h = max_step_ / unit;
   LastTwoAllows allowed(degree, tolerance_, h);
   for (int i = 0; i < series.particles(); ++i) {
-    const LastTwoSizes sizes{
-        degree, {size(0, i), series.order() < 3 ? 0.0 : size(1, i)}, {size(2, i), size(3, i)}};
+    LastTwoSizes sizes{degree, {size(0, i), series.order() < 3 ? 0.0 : size(1, i)}, {size(2, i), size(3, i)}};
+    if (sizes.last[0] == 0 && sizes.last[1] == 0)
+      stand_in(sizes, [&](int k) { return series.position(k).row(i).cwiseAbs().maxCoeff(); });
     if (std::isfinite(h) && allowed(sizes)) continue;
     const double own = last_two_step(sizes, tolerance_);
     if (!(own < h)) continue;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "jetlag/control/last_two.hpp"
 #include "jetlag/series/error_free.hpp"
 
 namespace jetlag {
@@ -80,7 +81,8 @@ RandomTaylor::RandomTaylor(const System<double>& system, Truncation law, std::un
       stride_(law_.max_degree() + 2),
       weights_differ_(sequential_ || law_.weighting() == Weighting::single_term),
       fixed_(system.fixed()),
-      moving_(moving_particles(system)) {
+      moving_(moving_particles(system)),
+      kinks_(std::isfinite(control_->past_kinks(1.0)) ? Kinks(system) : Kinks()) {
   if (options_.compensated && options_.velocity == VelocitySeries::derivative && law_.min_degree() == 0)
     throw std::invalid_argument(
         "RandomTaylor: compensated sums of velocities from the derivative need a min_degree of at least 1");
@@ -187,11 +189,78 @@ void RandomTaylor::grow_to(int order, const State<double>& state) {
   series_.grow_to(order);
 }
 
+namespace {
+
+/// Plain sums of the series of a motion as far as it is known, or to `last`.
+class SeriesPaths final : public Paths {
+ public:
+  SeriesPaths(const Expansion<double>& series, int last) : series_(series), last_(last) {}
+  double now() const override { return series_.time(); }
+  void velocity(int particle, double* v) const override {
+    const auto velocity = series_.velocity(0);
+    for (int c = 0; c < series_.dimension(); ++c) v[c] = velocity(particle, c);
+  }
+  void at(int particle, double s, double* x) const override {
+    if (s == 0) {
+      const auto place = series_.position(0);
+      for (int c = 0; c < series_.dimension(); ++c) x[c] = place(particle, c);
+      return;
+    }
+    const double u = s / series_.time_unit();
+    for (int c = 0; c < series_.dimension(); ++c) x[c] = 0;
+    for (int n = last_; n >= 0; --n) {
+      const auto coefficient = series_.position(n);
+      for (int c = 0; c < series_.dimension(); ++c) x[c] = x[c] * u + coefficient(particle, c);
+    }
+  }
+
+ private:
+  const Expansion<double>& series_;
+  int last_;
+};
+
+}  // namespace
+
+/// The step h, or a shorter one that ends at a kink of a force.
+double RandomTaylor::up_to_kinks(double h, const State<double>& state) {
+  if (left_at_.rows() != state.position.rows() || left_at_ != state.position) kinks_.forget();
+  const int last = std::min(series_.order(), law_.max_degree());
+  series_.curve(last, h / series_.time_unit(), curve_);
+  late_.clear();
+  for (int i = 0; i < series_.particles(); ++i) {
+    if (fixed_[i]) continue;
+    const Kinks::Step step{i, h, curve_[i]};
+    if (!kinks_.take(step, state.time, state.position.row(i).data(), state.velocity.row(i).data()))
+      late_.push_back(step);
+  }
+  if (late_.empty()) return h;
+  // Some places of the time at least, or it would not go on: beyond a kink the next step may be no longer than the way.
+  const double least = 8 * std::numeric_limits<double>::epsilon() * std::abs(state.time);
+  const double depth =
+      std::max(control_->past_kinks(series_.position_norm(0)), least * series_.velocity_norm(0));
+  kinks_.shorten(late_, depth, SeriesPaths(series_, last));
+  const auto size = [&](int k, int particle) {
+    return 0 <= k && k <= last ? series_.position(k).row(particle).cwiseAbs().maxCoeff() : 0.0;
+  };
+  double shortest = h;
+  for (const Kinks::Step& step : late_) {
+    shortest = std::min(shortest, step.h);
+    if (!step.near_point) continue;
+    const int i = step.particle;
+    shortest = std::min(
+        shortest,
+        series_.time_unit() *
+            step_within_radius({last, {size(2, i), size(3, i)}, {size(last - 1, i), size(last, i)}}));
+  }
+  return std::min(h, std::max(shortest, least));
+}
+
 double RandomTaylor::step(State<double>& state, double limit, Report& report) {
   series_.start(state, time_unit_);
   if (!sequential_) draw();
   if (const int orders = control_->orders_read(law_, options_.velocity); orders > 0) grow_to(orders, state);
-  const double h = cropped(control_->propose({series_, law_}), limit);
+  double h = cropped(control_->propose({series_, law_}), limit);
+  if (!kinks_.none() && std::isfinite(h)) h = up_to_kinks(h, state);
   if (!advances(state.time, h)) {
     if (all_finite(series_, report)) report = step_underflow(series_, h);
     return 0.0;
@@ -215,6 +284,10 @@ double RandomTaylor::step(State<double>& state, double limit, Report& report) {
   if (!next.position.allFinite() || !next.velocity.allFinite()) {
     if (all_finite(series_, report)) all_finite(next.position, next.velocity, state.time, report);
     return 0.0;
+  }
+  if (!kinks_.none()) {
+    if (!law_.is_fixed()) kinks_.forget();  // random weights lead elsewhere
+    left_at_ = next.position;
   }
   std::swap(state, next);
   last_step_ = h;

@@ -99,6 +99,16 @@ bool Asynchronous::choose_steps(Ticks::Count now, Report& report) {
     doubt_[i] = 0;
     if (underflows(i)) stuck.push_back(i);
   }
+  motion_->up_to_kinks(now, due_, [&](int i) { return ticks.seconds(step_[i]); }, shortened_);
+  for (const Kinks::Step& step : shortened_) {
+    const int i = step.particle;
+    const Ticks::Count end = now + std::max<Ticks::Count>(ticks.in(step.h), 1) - motion_->begin_of(i);
+    if (end >= step_[i]) continue;
+    step_[i] = end;
+    if (motion_->begin_of(i) == now) continue;
+    queue_.set(i, motion_->begin_of(i) + end);
+    motion_->count_wake_up();
+  }
   for (bool changed = stuck.empty(); changed;) {
     changed = false;
     for (int i : due_)

@@ -71,10 +71,12 @@ bool BlockSteps::update(Report& report) {
   const int level = lowest_from(Ticks::coarsest(now));
   const bool all = level == lowest_from(0);
   Group* group = all ? nullptr : &group_from(level);
+  motion_->remember(all ? std::vector<int>() : group->expansion.active());
   if (!(all ? motion_->update_all(now, report) : motion_->update(group->expansion, now, report)))
     return false;
   updated_ = all ? &motion_->moving() : &group->expansion.active();
   if (!choose_levels(*updated_, now, report)) return false;
+  wake_neighbours(now);
   begun_ = true;
   int finest = Ticks::finest;
   while (of_level_[finest].empty()) --finest;
@@ -101,6 +103,17 @@ bool BlockSteps::choose_levels(const std::vector<int>& updated, std::int64_t now
     report = underflow(now, stuck);
     return false;
   }
+  motion_->up_to_kinks(
+      now, updated, [&](int i) { return ticks.seconds(Ticks::step(level_[i])); }, shortened_);
+  for (const Kinks::Step& step : shortened_) {
+    const int i = step.particle, level = std::min(ticks.level(step.h), Ticks::finest);
+    if (level <= level_[i]) continue;
+    if (motion_->begin_of(i) != now) {
+      move(i, level_[i], level);
+      motion_->count_wake_up();
+    }
+    level_[i] = level;
+  }
   if (grading_ > 0) limit_differences(updated);
   for (std::size_t a = 0; a < updated.size(); ++a) move(updated[a], before_[a], level_[updated[a]]);
   return true;
@@ -121,6 +134,30 @@ void BlockSteps::limit_differences(const std::vector<int>& updated) {
   for (std::size_t r = 0; r < raised_.size(); ++r)
     for (int n : motion_->graph().neighbours(raised_[r]))
       if (motion_->begin_of(n) == now_) raise(n);
+}
+
+/// Those that rely on a series which has come to its end at a kink, or on one that has changed with it: woken at the
+/// coarsest tick up to which it does not depart from what they were told.
+void BlockSteps::wake_neighbours(std::int64_t now) {
+  woken_.clear();
+  for (std::size_t k = 0; k < motion_->former().size(); ++k) {
+    const int i = motion_->former()[k];
+    for (int n : motion_->graph().neighbours(i)) {
+      if (motion_->begin_of(n) == now) continue;
+      const auto due = [&](int level) { return (now / Ticks::step(level) + 1) * Ticks::step(level); };
+      int level = level_[n];
+      while (level < level_[i] && !(motion_->departure(k, due(level)) <= motion_->options().tolerance))
+        ++level;
+      if (level > level_[n]) woken_.push_back({n, level});
+    }
+  }
+  for (const auto& [n, level] : woken_) {
+    if (level <= level_[n]) continue;
+    move(n, level_[n], level);
+    level_[n] = level;
+    motion_->doubt(n);
+    motion_->count_wake_up();
+  }
 }
 
 void BlockSteps::move(int particle, int from, int to) {

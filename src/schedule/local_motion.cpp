@@ -21,7 +21,8 @@ LocalMotion::LocalMotion(const System<double>& system, TruncationLaw law, const 
       size_(static_cast<std::size_t>(order_ + 1) * stride_),
       graph_(std::make_shared<const Neighbourhoods>(system)),
       all_(system, std::max(order_, 2), kernels<double>(), Workers(options.threads)),
-      places_(system.particles(), -1) {
+      places_(system.particles(), -1),
+      kinks_(system) {
   require_positive("tolerance", options_.tolerance);
   require_positive("max_step", options_.max_step, true);
   if (order_ < 2) throw std::invalid_argument("schedule: the degree must be at least 2");
@@ -41,6 +42,7 @@ LocalMotion::LocalMotion(const System<double>& system, TruncationLaw law, const 
 
 void LocalMotion::begin(const State<double>& state, const Ticks& ticks) {
   all_.start(state);  // throws what is to be thrown
+  kinks_.forget();
   set_ticks(ticks);
   const std::size_t particles = state.position.rows();
   series_.assign(particles * size_, 0.0);
@@ -63,9 +65,7 @@ void LocalMotion::set_ticks(const Ticks& ticks) {
 
 /// x = sum_{n<=K} w_n x_n s^n,   v = sum_{n<=K} w_n (n+1) x_{n+1} s^n, or the derivative of x;   by Horner's rule.
 template <int stride>
-void LocalMotion::evaluate_padded(int particle, double s, double* x, double* v) const {
-  const double* c = series(particle);
-  const int degree = degree_[particle];
+void LocalMotion::evaluate_padded(const double* c, int degree, double s, double* x, double* v) const {
   const bool own = options_.velocity == VelocitySeries::own_series;
   double sum[stride] = {}, slope[stride] = {};
   for (int n = degree; n >= 0; --n)
@@ -78,10 +78,10 @@ void LocalMotion::evaluate_padded(int particle, double s, double* x, double* v) 
       slope[d] = slope[d] * s + weights_[own ? n : n + 1] * ((n + 1) * c[(n + 1) * stride + d]);
   for (int d = 0; d < dimension; ++d) v[d] = slope[d];
 }
-void LocalMotion::evaluate(int particle, double s, double* x, double* v) const {
-  if (stride_ == 1) return evaluate_padded<1>(particle, s, x, v);
-  if (stride_ == 2) return evaluate_padded<2>(particle, s, x, v);
-  evaluate_padded<4>(particle, s, x, v);
+void LocalMotion::evaluate(const double* c, int degree, double s, double* x, double* v) const {
+  if (stride_ == 1) return evaluate_padded<1>(c, degree, s, x, v);
+  if (stride_ == 2) return evaluate_padded<2>(c, degree, s, x, v);
+  evaluate_padded<4>(c, degree, s, x, v);
 }
 
 /// What others are told of a particle: its series with the weights of its degree.
@@ -147,8 +147,8 @@ bool LocalMotion::update_padded(PartialExpansion& group, Count now, Report& repo
   const auto &active = group.active(), &known = group.known();
   const std::size_t next_order = group.next_order();
   for (std::size_t a = 0; a < active.size(); ++a)
-    evaluate_padded<stride>(active[a], ticks_.seconds(now - begin_[active[a]]), group.active_row(0, a),
-                            group.active_row(1, a));
+    evaluate_padded<stride>(series(active[a]), degree_[active[a]], ticks_.seconds(now - begin_[active[a]]),
+                            group.active_row(0, a), group.active_row(1, a));
   shift_.clear();
   for (std::size_t b = 0; b < known.size(); ++b) {
     told<stride>(known[b], group.known_row(0, b), next_order);
@@ -206,7 +206,83 @@ LastTwoSizes LocalMotion::sizes_of(int particle) const {
     for (int d = 0; d < stride_; ++d) most = std::max(most, std::abs(c[d]));
     return most;
   };
-  return {degree, {size(2), size(3)}, {size(degree - 1), size(degree)}};
+  LastTwoSizes sizes{degree, {size(2), size(3)}, {size(degree - 1), size(degree)}};
+  if (sizes.last[0] == 0 && sizes.last[1] == 0) stand_in(sizes, size);
+  return sizes;
+}
+
+/// A bound of how far a particle goes in h from a straight line:  sum_{n>=2} w_n |x_n| h^n.
+template <int stride>
+double LocalMotion::curve_padded(int particle, double h) const {
+  const double* c = series(particle);
+  double sum[stride] = {}, squared = 0;
+  for (int n = degree_[particle]; n >= 2; --n)
+    for (int d = 0; d < stride; ++d) sum[d] = (sum[d] + weights_[n] * std::abs(c[n * stride + d])) * h;
+  for (double component : sum) squared += component * component;
+  return std::sqrt(squared) * h;
+}
+double LocalMotion::curve(int particle, double h) const {
+  if (stride_ == 1) return curve_padded<1>(particle, h);
+  if (stride_ == 2) return curve_padded<2>(particle, h);
+  return curve_padded<4>(particle, h);
+}
+
+void LocalMotion::shorten_late(Count now, std::vector<Kinks::Step>& shortened) {
+  class Now final : public Paths {
+   public:
+    Now(const LocalMotion& motion, Count now) : motion_(motion), now_(now) {}
+    double now() const override { return motion_.ticks_.time(now_); }
+    void velocity(int particle, double* v) const override {
+      double x[3];
+      motion_.evaluate(particle, motion_.ticks_.seconds(now_ - motion_.begin_[particle]), x, v);
+    }
+    void at(int particle, double s, double* x) const override {
+      if (s == 0 && motion_.begin_[particle] == now_) {
+        std::copy_n(motion_.series(particle), motion_.dimension_, x);
+        return;
+      }
+      motion_.evaluate(particle, motion_.ticks_.seconds(now_ - motion_.begin_[particle]) + s, x, nullptr);
+    }
+
+   private:
+    const LocalMotion& motion_;
+    Count now_;
+  };
+  // Some places of the time at least, or it would not go on.
+  const double least = 8 * std::numeric_limits<double>::epsilon() * std::abs(ticks_.time(now));
+  std::vector<double> before;
+  for (const Kinks::Step& step : late_) before.push_back(step.h);
+  shortened = kinks_.shorten(late_, options_.tolerance, Now(*this, now));
+  for (std::size_t k = 0; k < late_.size(); ++k) {
+    Kinks::Step& step = late_[k];
+    if (step.near_point) step.h = std::min(step.h, step_within_radius(sizes_of(step.particle)));
+    if (step.h < before[k]) shortened.push_back(step);
+  }
+  for (Kinks::Step& step : shortened) step.h = std::max(step.h, least);
+}
+
+void LocalMotion::remember(const std::vector<int>& particles) {
+  former_.clear();
+  former_begin_.clear();
+  former_degree_.clear();
+  former_series_.clear();
+  if (kinks_.none()) return;
+  for (int i : particles) {
+    if (!kinks_.in_doubt(i)) continue;
+    former_.push_back(i);
+    former_begin_.push_back(begin_[i]);
+    former_degree_.push_back(degree_[i]);
+    former_series_.insert(former_series_.end(), series(i), series(i) + size_);
+  }
+}
+
+double LocalMotion::departure(std::size_t k, Count tick) const {
+  double before[3], after[3], most = 0;
+  evaluate(former_series_.data() + k * size_, former_degree_[k], ticks_.seconds(tick - former_begin_[k]),
+           before, nullptr);
+  evaluate(former_[k], ticks_.seconds(tick - begin_[former_[k]]), after, nullptr);
+  for (int c = 0; c < dimension_; ++c) most = std::max(most, std::abs(after[c] - before[c]));
+  return most;
 }
 
 double LocalMotion::step_of(int particle) const {

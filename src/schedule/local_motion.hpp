@@ -10,6 +10,7 @@
 
 #include "jetlag/control/last_two.hpp"
 #include "jetlag/motion/expansion.hpp"
+#include "jetlag/motion/kinks.hpp"
 #include "jetlag/motion/partial_expansion.hpp"
 #include "jetlag/motion/piece.hpp"
 #include "jetlag/schedule/clocks.hpp"
@@ -46,6 +47,30 @@ class LocalMotion {
   /// The first level from `coarsest` on whose step is no longer than that; beyond the finest where there is none.
   int level_of(int particle, int coarsest);
 
+  /// Shortens steps that particles are about to take where a kink of a force lies within them; they and their steps [s]
+  /// come in order. `shortened` gets them, and those that were to go farther in a step that has begun before.
+  template <class StepOf>
+  void up_to_kinks(Count now, std::span<const int> particles, const StepOf& step_of,
+                   std::vector<Kinks::Step>& shortened) {
+    shortened.clear();
+    if (kinks_.none()) return;
+    late_.clear();
+    for (int i : particles) {
+      const double h = step_of(i);
+      const Kinks::Step step{i, h, curve(i, h)};
+      if (!kinks_.take(step, ticks_.time(now), series(i), series(i) + stride_)) late_.push_back(step);
+    }
+    if (!late_.empty()) shorten_late(now, shortened);
+  }
+
+  /// Keeps the series of those particles of a group that may cross a kink before their update, to tell how far they then
+  /// depart from them: `departure` of the k-th of `former` at a tick [m], the largest component.
+  void remember(const std::vector<int>& particles);
+  const std::vector<int>& former() const { return former_; }
+  double departure(std::size_t k, Count tick) const;
+  /// A particle that must be remembered at its next update.
+  void doubt(int particle) { kinks_.doubt(particle); }
+
   Count begin_of(int particle) const { return begin_[particle]; }
   std::uint64_t updates_of(int particle) const { return updates_[particle]; }
 
@@ -66,10 +91,18 @@ class LocalMotion {
  private:
   double* series(std::size_t particle) { return series_.data() + particle * size_; }
   const double* series(std::size_t particle) const { return series_.data() + particle * size_; }
-  void evaluate(int particle, double s, double* x, double* v) const;
+  /// From the series of a particle, or from another of such a degree.
+  void evaluate(int particle, double s, double* x, double* v) const {
+    evaluate(series(particle), degree_[particle], s, x, v);
+  }
+  void evaluate(const double* c, int degree, double s, double* x, double* v) const;
   template <int stride>
-  void evaluate_padded(int particle, double s, double* x, double* v) const;
+  void evaluate_padded(const double* c, int degree, double s, double* x, double* v) const;
   LastTwoSizes sizes_of(int particle) const;
+  double curve(int particle, double h) const;
+  template <int stride>
+  double curve_padded(int particle, double h) const;
+  void shorten_late(Count now, std::vector<Kinks::Step>& shortened);
   void set_ticks(const Ticks& ticks);
   template <class Since>
   State<double> state_at(double t, const Since& since) const {
@@ -106,6 +139,12 @@ class LocalMotion {
   std::vector<int> degree_;  // of each particle's series
   std::vector<std::uint64_t> updates_;
   std::vector<double> shift_, rows_;  // room for an update
+  Kinks kinks_;
+  std::vector<Kinks::Step> late_;  // steps that leave no room before kinks
+  std::vector<int> former_;
+  std::vector<Count> former_begin_;
+  std::vector<int> former_degree_;
+  std::vector<double> former_series_;
   std::uint64_t groups_ = 0, partial_coefficients_ = 0;
   Work work_;
 };

@@ -83,6 +83,18 @@ TEST(JorbaZouStep, IsTheLargestAllowedWhereNothingBoundsIt) {
   EXPECT_THROW(jorba_zou_step(std::array{1.0}, 10.0), std::invalid_argument);
 }
 
+TEST(JorbaZouStep, IsNotMisledWhereTheLastTwoVanish) {
+  // A series with radius 1/4 of which cancellation has taken the last coefficients: those before them stand in. A series
+  // that ends in its first half ends there.
+  std::vector<double> norms(21);
+  for (int taken : {2, 5, 9}) {
+    for (int n = 0; n <= 20; ++n) norms[n] = n > 20 - taken ? 0.0 : std::pow(4, n);
+    EXPECT_NEAR(jorba_zou_step(norms, 10.0), sigma(20) / 4, 1e-15) << taken;
+  }
+  norms[11] = 0;
+  EXPECT_EQ(jorba_zou_step(norms, 10.0), 10.0);
+}
+
 TEST(JorbaZouStep, ServesFirstOrderSystems) {
   // y' = y^2 is y_0 / (1 - y_0 t).
   FirstOrderExpansion<> series([](const auto&, const auto& y) { return std::array{y[0] * y[0]}; }, 1);

@@ -5,8 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "support/random.hpp"
 
@@ -47,6 +49,25 @@ TEST(LastTwo, IsNotMisledByPowersBeyondTheRangeOfADouble) {
   // No last terms: every step, however long.
   EXPECT_TRUE(LastTwoAllows(40, 1e-9, 1e30)({40, {1, 1}, {0, 0}}));
   EXPECT_FALSE(LastTwoAllows(8, 1e-9, 1.0)({8, {1, 1}, {std::numeric_limits<double>::quiet_NaN(), 0}}));
+}
+
+TEST(LastTwo, HasOthersToStandInWhereTheyVanish) {
+  // 0.7 times the step at which term k - 1 or k reaches the tolerance, k the last order above N/2 that does not vanish.
+  const double tolerance = 1e-6;
+  const auto stood_in = [](std::vector<double> c) {
+    const int degree = static_cast<int>(c.size()) - 1;
+    LastTwoSizes sizes{degree, {c[2], c[3]}, {c[degree - 1], c[degree]}};
+    stand_in(sizes, [&](int k) { return c[k]; });
+    return sizes;
+  };
+  const LastTwoSizes sizes = stood_in({1, 1, 1, 1, 1, 32, 64, 0, 0});
+  EXPECT_EQ(sizes.degree, 6);
+  const double h = 0.7 * std::min(std::pow(tolerance / 32, 0.2), std::pow(tolerance / 64, 1.0 / 6));
+  EXPECT_NEAR(last_two_step(sizes, tolerance), h, 1e-14);
+  EXPECT_TRUE(LastTwoAllows(8, tolerance, h * (1 - 1e-9))(sizes));
+  EXPECT_FALSE(LastTwoAllows(8, tolerance, h * (1 + 1e-9))(sizes));
+  EXPECT_EQ(stood_in({1, 1, 1, 1, 1, 0, 0, 0, 0}).degree, 8);  // has ended in its first half
+  EXPECT_TRUE(std::isinf(last_two_step(stood_in({1, 1, 1, 1, 1, 0, 0, 0, 0}), tolerance)));
 }
 
 }  // namespace

@@ -16,6 +16,18 @@ struct LastTwoSizes {
   std::array<double, 2> last;   // orders N - 1 and N
 };
 
+/// Where the last two coefficients vanish: the last ones above order N/2 that do not, size(k) that of order k. A series
+/// ends early or not at all, and others stand in for those that cancellation has taken.
+template <class Size>
+void stand_in(LastTwoSizes& sizes, const Size& size) {
+  for (int k = sizes.degree - 1; k > sizes.degree / 2 && k > 1; --k) {
+    if (size(k) == 0) continue;
+    sizes.last = {size(k - 1), size(k)};
+    sizes.degree = k;
+    return;
+  }
+}
+
 /// The step at which the last two terms are below the tolerance,
 ///
 ///     h = 0.7 min_{k = N-1, N} (tolerance / |c_k|)^{1/k},
@@ -29,6 +41,9 @@ struct LastTwoSizes {
 /// step over their collision as soon as they are nearer than the tolerance.         Source: ours, by experiment.
 /// infinity where the last coefficients vanish; 0 where a size is not a number or infinite.
 double last_two_step(const LastTwoSizes& sizes, double tolerance);
+
+/// The second of these rules alone and with f_2 alone: for a force that does not change much, though it may turn.
+double step_within_radius(const LastTwoSizes& sizes);
 
 /// Whether last_two_step is at least h: its two rules without logarithms, for one h > 0 and many particles. Within a few
 /// rounding errors of h either answer may be given.
@@ -53,6 +68,7 @@ class LastTwo final : public Control {
     return law.max_degree() + (velocity == VelocitySeries::own_series ? 1 : 0);
   }
   double propose(const Prospect& prospect) override;
+  double past_kinks(double) const override { return tolerance_; }
   std::unique_ptr<Control> clone() const override { return std::make_unique<LastTwo>(*this); }
 
  private:

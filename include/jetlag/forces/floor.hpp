@@ -30,6 +30,13 @@ struct HalfSpace {
     return T(1.0 / (power + 1)) * stiffness * (power == 1 ? squared(s) : T(s * squared(s)));
   }
 
+  /// n . x - h.
+  template <int D>
+  static Vector<double, 1> kink(const Positions<D, 1>& position, double, double height, double x, double y,
+                                double z) {
+    return Vector<double, 1>(normal<double, D>(x, y, z).dot(position[0]) - height);
+  }
+
  private:
   template <class T>
   static T squared(const T& s) {
@@ -54,12 +61,12 @@ struct HalfSpace {
 /// Contact without other forces lasts pi sqrt(m/k), and takes its speed along n back to the last bit but for rounding.
 ///
 /// The force has a kink at the surface, so that the motion is analytic only between contacts, and the series of a step
-/// knows the side on which the step begins. A step across the surface goes on as if there were none: it misses up to
-/// k (v h)^2 / 2 of energy on the way in, (omega h)^2 of that along n with omega = sqrt(k/m), and as much on the way out,
-/// whatever its degree. Who needs the order of the method at contacts ends a step there, with an Event at the surface
-/// (schedule/events.hpp) whose `change` carries the state over it, since rounding may leave it on either side:
+/// knows the side on which the step begins. Steps that a control chooses from the series, and those of clocks, end there
+/// (motion/kinks.hpp). A step that is fixed goes on as if there were no surface: it misses up to k (v h)^2 / 2 of energy on
+/// the way in, (omega h)^2 of that along n with omega = sqrt(k/m), and as much on the way out, whatever its degree. Who needs
+/// the order of the method all the same ends a step there, with an Event at the surface (schedule/events.hpp) whose
+/// `change` carries the state over it, since rounding may leave it on either side:
 ///     .change = [](State<double>& state) { state.position += 1e-14 * state.velocity; }
-/// Controls that look at the series do not see a contact coming either: give a largest step, or `courant`.
 /// Conserves: energy, momentum along the surface.
 struct Floor : detail::HalfSpace<1> {
   static constexpr const char* name = "floor";

@@ -16,13 +16,20 @@
 //
 //     template <class T, int D>     // potential energy [J]; left out when there is none
 //     static T energy(const Participants<T, D, 2>& p, const T& stiffness, const T& rest_length);
+//
+//     template <int D>              // the way to where the force has a kink or jumps [m]; left out when it does not
+//     static Vector<double, D> kink(const Positions<D, 2>& x, double stiffness, double rest_length);
 //   };
 //
 // Invariants, tested for every law of the register (forces.hpp):
 //   - one participant: `force` is the force on it; two: the force on participant 0, and participant 1 gets the
 //     opposite, so that every law between particles conserves momentum to the last bit;
 //   - where `energy` exists, force = -d energy / d position;
-//   - a law of two participants turns with the world: it depends on no direction of space.
+//   - a law of two participants turns with the world: it depends on no direction of space;
+//   - where `kink` exists, it has 1 to 3 components, vanishes where no series of the force goes on, comes out on the other
+//     side turned round by more than a right angle, and changes by no more than the ways of the participants together.
+//     Of a spring it is the vector from end to end, of a floor the height above it. Not for kinks that move by themselves
+//     or depend on velocities.
 
 #include <Eigen/Core>
 #include <array>
@@ -50,6 +57,10 @@ struct Participants {
   T time;                                // [s]
 };
 
+/// Their positions alone, as numbers [m].
+template <int D, int P>
+using Positions = std::array<Vector<double, D>, P>;
+
 template <class L>
 concept ForceLaw = requires {
   { L::name } -> std::convertible_to<const char*>;
@@ -66,6 +77,12 @@ struct RecordedLaw {
   Tape force;                           // outputs: the force on participant 0, component by component
   std::optional<Tape> energy;           // output: the potential energy
   int stiffness_parameter = -1;  // the parameter that bounds the eigenvalues of -dF_0/dx_0 [N/m], if any
+
+  /// What the law says of its kinks, from the positions of the participants, shape (participants, dimension), and the
+  /// parameters; zero from its last component on. Null where it has none.
+  using Kink = Eigen::Vector3d (*)(const double* positions, const double* parameters);
+  Kink kink = nullptr;
+  int kink_components = 0;
 };
 
 namespace detail {
@@ -94,10 +111,35 @@ auto call_recorded(Recording& recording, F f) {
   }(std::make_index_sequence<n>{});
 }
 
+/// L::kink(positions, parameters ...), where there is one.
+template <class L, class X, std::size_t... I>
+auto call_kink(const X& x, const double* parameters, std::index_sequence<I...>)
+    -> decltype(L::kink(x, parameters[I]...)) {
+  return L::kink(x, parameters[I]...);
+}
+
+template <ForceLaw L, int D>
+void add_kink(RecordedLaw& law) {
+  using Places = Positions<D, L::participants>;
+  using Each = std::make_index_sequence<L::parameters.size()>;
+  if constexpr (requires(const Places& x, const double* c) { call_kink<L>(x, c, Each{}); }) {
+    constexpr int components = decltype(call_kink<L>(Places{}, nullptr, Each{}))::RowsAtCompileTime;
+    law.kink_components = components;
+    law.kink = [](const double* positions, const double* parameters) {
+      Places x;
+      for (int i = 0; i < L::participants; ++i) x[i] = Vector<double, D>::Map(positions + i * D);
+      Eigen::Vector3d padded = Eigen::Vector3d::Zero();
+      padded.head<components>() = call_kink<L>(x, parameters, Each{});
+      return padded;
+    };
+  }
+}
+
 template <ForceLaw L, int D>
 RecordedLaw record_in_dimension() {
   RecordedLaw law{L::name, D, L::participants, {L::parameters.begin(), L::parameters.end()}, {}, {}};
   if constexpr (requires { L::stiffness_parameter; }) law.stiffness_parameter = L::stiffness_parameter;
+  add_kink<L, D>(law);
   const int all_parameters = static_cast<int>(L::parameters.size()) + L::participants;
   {
     Recording recording;

@@ -2,6 +2,8 @@
 #pragma once
 // Linear spring between two particles.
 
+#include <limits>
+
 #include "jetlag/forces/force.hpp"
 
 namespace jetlag {
@@ -28,6 +30,13 @@ struct Spring {
     const Vector<T, D> d = p.position[1] - p.position[0];
     const T extension = d.norm() - rest_length;
     return T(0.5) * stiffness * extension * extension;
+  }
+
+  /// At length 0 the force turns round, but for L = 0.
+  template <int D>
+  static Vector<double, D> kink(const Positions<D, 2>& x, double, double rest_length) {
+    if (rest_length == 0) return Vector<double, D>::Constant(std::numeric_limits<double>::infinity());
+    return x[1] - x[0];
   }
 };
 

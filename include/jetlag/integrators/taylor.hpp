@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "jetlag/integrators/integrator.hpp"
+#include "jetlag/motion/kinks.hpp"
 #include "jetlag/truncation/draws.hpp"
 #include "jetlag/truncation/sequential.hpp"
 #include "jetlag/truncation/truncation.hpp"
@@ -23,6 +24,9 @@ namespace jetlag {
 /// A sequential law sees the sizes of the terms of the positions, the largest component [m] of all particles or, with a
 /// draw for each, of its particle; it is asked after each order, and no order is computed that is not needed. Where the
 /// control reads the series, all are. What a control learns of a sequential law is its lower bound.
+///
+/// Steps that a control chooses end at kinks of forces (motion/kinks.hpp), which are sought on the series as far as the
+/// control has read it: where that is, does not depend on the degree that is drawn.
 class RandomTaylor final : public Integrator {
  public:
   struct Options {
@@ -68,6 +72,7 @@ class RandomTaylor final : public Integrator {
   void draw();
   void roulette(double h, const State<double>& state);
   void grow_to(int order, const State<double>& state);
+  double up_to_kinks(double h, const State<double>& state);
   void weighted_sum(bool of_velocity, double s, int first, Coordinates<double>& sum) const;
   void add_increments(State<double>& state, double s) const;
   int order_needed(int degree) const {
@@ -97,6 +102,10 @@ class RandomTaylor final : public Integrator {
   double time_unit_ = 1;     // of the series: 1 until a coefficient over- or underflows
   std::vector<int> degree_;  // K of each particle in this step; one entry when the draw is shared
   double last_step_ = 0;
+  Kinks kinks_;                    // none for steps that are taken as they are
+  std::vector<Kinks::Step> late_;  // steps that leave no room before kinks
+  std::vector<double> curve_;      // of the path of each particle [m]
+  Coordinates<double> left_at_;    // positions that the kinks know of
   Work work_;
 };
 

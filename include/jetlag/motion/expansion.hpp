@@ -18,6 +18,7 @@
 // some w^20, beyond the range of a double for w = 1e16 and 1e-16.
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -121,6 +122,29 @@ class Expansion {
     sum(v_, first, last, w, s, into);
   }
 
+  /// A bound of how far each particle goes from a straight line: sum_{n=2..last} |c_n| s^n, |.| the sum of the components
+  /// of the positions' coefficients.   into: shape (particles).
+  void curve(int last, const T& s, std::vector<T>& into) const {
+    using std::abs;
+    constexpr std::size_t width = 8;
+    into.assign(particles_, T(0));
+    const std::size_t rows = row_size();
+    const int log_stride = std::bit_width(static_cast<unsigned>(stride_)) - 1;
+    std::array<T, width> total;
+    for (std::size_t begin = 0; begin < rows; begin += width) {
+      const std::size_t size = std::min(width, rows - begin);
+      total.fill(T(0));
+      for (int n = last; n >= 2; --n) {
+        const T* c = x_.data() + n * rows + begin;
+        if (size == width)
+          for (std::size_t i = 0; i < width; ++i) total[i] = (total[i] + abs(c[i])) * s;
+        else
+          for (std::size_t i = 0; i < size; ++i) total[i] = (total[i] + abs(c[i])) * s;
+      }
+      for (std::size_t i = 0; i < size; ++i) into[(begin + i) >> log_stride] += total[i] * s;
+    }
+  }
+
   /// (element, order) pairs computed since construction: the honest unit of cost.
   std::size_t element_coefficients() const { return element_coefficients_; }
 
@@ -158,6 +182,7 @@ class Expansion {
     constexpr std::size_t width = 8;
     into.resize(particles_, dimension_);
     const std::size_t rows = row_size();
+    const int log_stride = std::bit_width(static_cast<unsigned>(stride_)) - 1;  // 1, 2 or 4
     std::array<T, width> total;
     for (std::size_t begin = 0; begin < rows; begin += width) {
       const std::size_t size = std::min(width, rows - begin);
@@ -169,9 +194,9 @@ class Expansion {
         else
           for (std::size_t i = 0; i < size; ++i) total[i] = total[i] * s + weight * c[i];
       }
-      for (std::size_t i = begin; i < begin + size; ++i)
-        if (const int component = static_cast<int>(i % stride_); component < dimension_)
-          into.data()[i / stride_ * dimension_ + component] = total[i - begin];
+      for (std::size_t i = 0; i < size; ++i)
+        if (const std::size_t component = i & (stride_ - 1); component < static_cast<std::size_t>(dimension_))
+          into.data()[((begin + i) >> log_stride) * dimension_ + component] = total[i];
     }
   }
 

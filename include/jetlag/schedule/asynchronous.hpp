@@ -57,7 +57,8 @@ class Asynchronous final : public ClockSchedule {
   std::vector<int> due_;
   std::vector<std::int64_t> step_;  // of each particle [ticks]
   std::vector<double> doubt_;       // what its neighbours have departed from what it was told [m]
-  std::vector<double> expected_;    // where a particle would be at the end of each neighbour's step
+  std::vector<Kinks::Step> shortened_;
+  std::vector<double> expected_;  // where a particle would be at the end of each neighbour's step
 };
 
 }  // namespace jetlag

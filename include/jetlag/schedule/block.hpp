@@ -51,6 +51,7 @@ class BlockSteps final : public ClockSchedule {
   Group& group_from(int level);
   bool choose_levels(const std::vector<int>& updated, std::int64_t now, Report& report);
   void limit_differences(const std::vector<int>& updated);
+  void wake_neighbours(std::int64_t now);
   void move(int particle, int from, int to);
 
   int grading_;
@@ -63,6 +64,8 @@ class BlockSteps final : public ClockSchedule {
       groups_;                        // all particles from a level on, by that level; null: not yet made
   std::vector<int> before_;           // levels before an update
   std::vector<int> raised_, chosen_;  // room for an update
+  std::vector<Kinks::Step> shortened_;
+  std::vector<std::pair<int, int>> woken_;  // particles, and the levels to which they are woken
 };
 
 }  // namespace jetlag
