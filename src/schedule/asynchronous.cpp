@@ -25,6 +25,7 @@ Asynchronous::Asynchronous(const System<double>& system, TruncationLaw law, cons
   if (!(grading_ >= 1))
     throw std::invalid_argument("Asynchronous: grading must be at least 1, got " + std::to_string(grading_));
   require_positive("Asynchronous: notify", notify_, true);
+  overlap_ = std::min(0.5, 5.0 / motion_->degree());
 }
 Asynchronous::~Asynchronous() = default;
 
@@ -33,6 +34,7 @@ void Asynchronous::begin_clocks() {
   queue_ = EventQueue(particles);
   for (int i : motion_->moving()) queue_.set(i, 0);
   step_.assign(particles, Ticks::step(0));
+  natural_.assign(particles, Ticks::step(0));
   doubt_.assign(particles, 0.0);
   group_ = std::make_unique<PartialExpansion>(motion_->group());
 }
@@ -95,7 +97,7 @@ bool Asynchronous::choose_steps(Ticks::Count now, Report& report) {
     return step_[i] < 1 || !advances(ticks.time(now), ticks.seconds(step_[i]));
   };
   for (int i : due_) {
-    step_[i] = ticks.in(motion_->step_of(i));
+    natural_[i] = step_[i] = ticks.in(motion_->step_of(i));
     doubt_[i] = 0;
     if (underflows(i)) stuck.push_back(i);
   }
@@ -113,7 +115,9 @@ bool Asynchronous::choose_steps(Ticks::Count now, Report& report) {
     changed = false;
     for (int i : due_)
       for (int n : motion_->graph().neighbours(i)) {
-        const Ticks::Count most = times(grading_, step_[n]);
+        const Ticks::Count end = motion_->begin_of(n) + step_[n],
+                           most =
+                               std::min(times(grading_, step_[n]), end - now + times(overlap_, natural_[n]));
         if (step_[i] <= most) continue;
         step_[i] = most;
         changed = true;

@@ -27,6 +27,8 @@ class LocalMotion {
   const Neighbourhoods& graph() const { return *graph_; }
   const std::vector<int>& moving() const { return moving_; }
   const ClockOptions& options() const { return options_; }
+  /// The highest one of the law.
+  int degree() const { return law_.max_degree(); }
 
   /// The series become constant: the state, at tick 0 of these ticks.
   /// Throws std::invalid_argument for a state of another shape and for a fixed particle that is not at rest.

@@ -116,11 +116,11 @@ double allowed(const Compared& c, int d) { return std::max(0.0, c.levels - d) + 
 
 /// Where that is less than one update, nothing is left of the collapse: the motion itself has come to (omega
 /// t)^(2d) / (2d)! by then, below 1e-4 of it at d = 6.
-void expect_nothing_far_away(const Compared& c, const CollapsingBody& body) {
+void expect_nothing_far_away(const Compared& c, const CollapsingBody& body, double most = 0) {
   int far_away = 0;
   for (std::size_t i = 0; i < c.more.size(); ++i) {
     if (allowed(c, body.distance[i]) >= 1) continue;
-    EXPECT_EQ(c.with.updates[i], c.without.updates[i]) << i << " at distance " << body.distance[i];
+    EXPECT_NEAR(c.with.updates[i], c.without.updates[i], most) << i << " at distance " << body.distance[i];
     ++far_away;
   }
   EXPECT_EQ(far_away > 0, allowed(c, body.farthest()) < 1);
@@ -164,13 +164,14 @@ TEST_P(Collapse, ShortensBlockStepsOnlyNearIt) {
 }
 
 TEST_P(Collapse, ShortensFreeStepsOnlyNearIt) {
-  // The neighbours of the ends are woken by both of them: they may be updated more often than these.
+  // The neighbours of the ends are woken by both of them: they may be updated more often than these. Steps of free clocks
+  // end by those of their neighbours, so that who is updated when depends on everybody: one or two of 20 updates.
   for (const double offset : offsets) {
     SCOPED_TRACE(offset);
     const CollapsingBody body = this->body(offset);
     const Compared c = compared<Asynchronous>(body);
     expect_fall(means(c.more, body.distance), 1);
-    expect_nothing_far_away(c, body);
+    expect_nothing_far_away(c, body, 2);
     expect_errors_of_a_step(c, body, offset);
   }
 }

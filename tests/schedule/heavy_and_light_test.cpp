@@ -63,8 +63,8 @@ TEST(HeavyAndLight, HaveStepsInTheRatioOfTheirLastCoefficients) {
 }
 
 TEST(HeavyAndLight, AreWithinAFactorByTheGrading) {
-  // Each is the other's neighbour: 2^grading, unless the series ask for less. Free clocks of grading 2 take no more, for the
-  // light one's step is cut where its own is longer.
+  // Each is the other's neighbour: 2^grading, unless the series ask for less. A free clock outlasts the
+  // light one's step by half of it at most.
   const HeavyAndLight scene = light_mass();
   for (const int grading : {1, 2, 3}) {
     auto schedule = block(scene, 6, grading);
@@ -73,7 +73,9 @@ TEST(HeavyAndLight, AreWithinAFactorByTheGrading) {
   Asynchronous::Options options;
   options.tolerance = 1e-10;
   Asynchronous free_clocks(scene.system, 6, options);
-  EXPECT_NEAR(ran(scene, free_clocks, 1.0).ratio(), 2.0, 0.04);
+  const double ratio = ran(scene, free_clocks, 1.0).ratio();
+  EXPECT_GE(ratio, 1.0);
+  EXPECT_LE(ratio, 1.5);
 }
 
 TEST(HeavyAndLight, PayForARatioOfAHundredWithAccuracyAndWork) {

@@ -84,6 +84,7 @@ TEST_P(StiffSpot, CostsBlockStepsATenthOfLockstep) {
 }
 
 TEST_P(StiffSpot, CostsFreeClocksATwelfthOfTheUpdates) {
+  // Measured, at 20 s: 14.3, 13.8, 11.5, 8.2 times fewer; 1.07, 1.00, 0.30, 0.34 times the error.
   const Result one = lockstep(), free = of<Asynchronous>();
   RecordProperty("updates", std::to_string(static_cast<double>(one.work.updates) / free.work.updates));
   RecordProperty("error", std::to_string(free.error / one.error));
@@ -91,10 +92,9 @@ TEST_P(StiffSpot, CostsFreeClocksATwelfthOfTheUpdates) {
     EXPECT_GE(one.work.updates, 12 * free.work.updates);
     EXPECT_LE(free.error, 5 * one.error);
   } else {
-    // A neighbour's polynomial is relied upon beyond its end, where its error grows with the power of its degree.
-    // Measured: 17 and 6.3 times fewer updates, 3e-10 m of error; without notification 1e-4 m.
-    EXPECT_GE(one.work.updates, 5 * free.work.updates);
-    EXPECT_LE(free.error, 1000 * GetParam().tolerance);
+    // Steps may outlast a neighbour's by 5/12 and 5/16 of what its series asks for, no longer by half.
+    EXPECT_GE(one.work.updates, 8 * free.work.updates);
+    EXPECT_LE(free.error, one.error);
   }
 }
 
