@@ -220,6 +220,9 @@ TEST(Ensemble, RefusesWhatMakesNoSense) {
   EXPECT_THROW(Ensemble(two_bodies(), 0, states), std::invalid_argument);
   EXPECT_THROW(Ensemble(two_bodies(), 20, states, 0.0), std::invalid_argument);
   EXPECT_THROW(Ensemble(chain(), 20, states), std::invalid_argument);
+  System<double> on_a_floor = two_bodies();
+  on_a_floor.add<Floor>({{0}}, {{1.0, 0.0, 0.0, 1.0, 0.0}});
+  EXPECT_THROW(Ensemble(on_a_floor, 20, states), std::invalid_argument);
   auto held = hanging(1);
   held[0].velocity(0, 0) = 1;
   EXPECT_THROW(Ensemble(chain(), 20, held), std::invalid_argument);

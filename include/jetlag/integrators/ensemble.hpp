@@ -27,13 +27,14 @@ struct SystemLanes;
 /// Taylor's method of a fixed degree with the step of Jorba and Zou (control/jorba_zou.hpp), as `taylor` with `JorbaZou`,
 /// to rounding. A trajectory has the same bits in any company and for any number of workers, as long as the blocks
 /// have the same width. Time is counted in seconds: of motions of more than 1e15 or less than 1e-15 radians a second
-/// coefficient 20 is beyond doubles, and their trajectories end as non_finite or are stepped by what is left.
+/// coefficient 20 is beyond doubles, and their trajectories end as non_finite or are stepped by what is left. Kinks of
+/// forces are not looked for: springs may be stepped over where their ends meet exactly, floors are refused.
 class Ensemble {
  public:
   /// Keeps no reference to the system. degree: >= 1. states: one for each trajectory; their rests are dropped, their
   /// times may differ. max_step [s]: > 0, may be infinite.
-  /// Throws std::invalid_argument for what is out of range, for a state of another shape and for a fixed particle that
-  /// is not at rest.
+  /// Throws std::invalid_argument for what is out of range, for a state of another shape, for a fixed particle that is
+  /// not at rest, and for forces on one particle with kinks (motion/kinks.hpp).
   Ensemble(const System<double>& system, int degree, const std::vector<State<double>>& states,
            double max_step = std::numeric_limits<double>::infinity(), Workers workers = Workers(1))
       : Ensemble(system, degree, states, max_step, std::move(workers),
