@@ -22,6 +22,20 @@ std::array<std::array<double, degree>, degree> newton_to_powers() {
   return c;
 }
 
+/// By how much rounding of the accelerations, at most 1 each, can change b_6, their divided difference over the nodes:
+///     b_6 = g_6 = sum_i a_i / product_{j != i} (h_i - h_j),   so   sum_i 1 / product_{j != i} |h_i - h_j|  (13 616).
+double rounding_of_last_coefficient() {
+  const auto& h = GaussRadau::node();
+  double sum = 0;
+  for (const double at : h) {
+    double product = 1;
+    for (const double other : h)
+      if (other != at) product *= std::abs(at - other);
+    sum += 1 / product;
+  }
+  return sum;
+}
+
 /// y + rest += change, keeping what does not fit a double.
 void add(const Coordinates<double>& change, Coordinates<double>& y, Coordinates<double>& rest) {
   for (Eigen::Index i = 0; i < y.size(); ++i) {
@@ -48,7 +62,7 @@ const std::array<double, GaussRadau::nodes>& GaussRadau::node() {
 }
 
 GaussRadau::GaussRadau(const System<double>& system, const Options& options)
-    : OneStep(system, 15), options_(options) {
+    : OneStep(system, 15), options_(options), rounding_(system) {
   require_positive("tolerance", options.tolerance);
   require_positive("max_step", options.max_step, true);
   if (options.step) require_positive("step", *options.step);
@@ -97,21 +111,34 @@ void GaussRadau::predict(const State<double>& from, double h) {
   }
 }
 
+/// What of b_6 may be rounding in a step of length h: the iteration stands still there, and no shorter step has less.
+double GaussRadau::rounding(const State<double>& from, double h) {
+  static const double factor = rounding_of_last_coefficient();
+  if (!last_rounding_) {
+    const auto before = rounding_.element_coefficients();
+    last_rounding_ = factor * largest(rounding_(from, h, 2, std::span(&a_, 1)).front());
+    other_element_coefficients_ += rounding_.element_coefficients() - before;
+  }
+  return *last_rounding_;
+}
+
 bool GaussRadau::solve(const State<double>& from, double h, Report& report) {
   static const auto c = newton_to_powers();
   const auto& node = GaussRadau::node();
-  constexpr double enough =
-      1e-6;  // b_6 is divided differences: its rounding is far above that of a, and above 1e-6 a
-             // the iteration does not contract
+  // b_6 is divided differences: its rounding is far above that of a, and above 1e-6 a the iteration does not contract,
+  // unless a itself is little more than rounding.
+  const auto small = [&](double change) { return change < 1e-6 * largest_a_ || change <= rounding(from, h); };
+  const double at_start = largest(a_);
   double last_change = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < 12; ++iteration) {
     double change = 0;
+    largest_a_ = at_start;
     for (int n = 1; n < nodes; ++n) {
       const State<double> stage = at(from, h, node[n]);
       if (!all_finite(stage.position, stage.velocity, from.time, report)) return false;
       Coordinates<double> a;
       if (!accelerations_(stage, a, report)) return false;
-      largest_a_ = largest(a);
+      largest_a_ = std::max(largest_a_, largest(a));
       Coordinates<double> g = (a - a_) / node[n];
       for (int j = 1; j < n; ++j) g = (g - g_[j - 1]) / (node[n] - node[j]);
       const Coordinates<double> difference = g - g_[n - 1];
@@ -119,11 +146,11 @@ bool GaussRadau::solve(const State<double>& from, double h, Report& report) {
       for (int k = 0; k < n; ++k) b_[k] += c[n - 1][k] * difference;
       change = largest(difference);  // at the last node that of b_6
     }
-    change = largest_a_ > 0 ? change / largest_a_ : 0.0;
-    if (change < 1e-16 || (iteration > 1 && change >= last_change && last_change < enough)) return true;
+    if (change <= 1e-16 * largest_a_) return true;
+    if (iteration > 1 && change >= last_change && small(last_change)) return true;
     last_change = change;
   }
-  if (last_change < enough) return true;
+  if (small(last_change)) return true;
   report = {Outcome::not_converged,
             "gauss_radau: the predictor and corrector of the step of " + std::to_string(h) +
                 " s from t = " + std::to_string(from.time) + " do not come together; take a shorter step",
@@ -131,10 +158,16 @@ bool GaussRadau::solve(const State<double>& from, double h, Report& report) {
   return false;
 }
 
-/// The length at which b_6 would be as large as the tolerance allows.
-double GaussRadau::wanted(double h) const {
-  const double ratio = largest_a_ > 0 ? largest(b_[degree - 1]) / largest_a_ : 0.0;
-  return h * std::pow(options_.tolerance / ratio, 1.0 / 7);  // infinite where b_6 = 0
+/// The length at which b_6 would be as large as the tolerance allows, or as its own rounding. Without the latter a step
+/// whose b_6 is rounding, the same for all lengths, would ask for a shorter one for ever. It costs no accuracy. In a
+/// motion of frequency w, b_6 is some (w h)^7 / 7! of a, and the quadrature leaves out of the velocity
+///     8 7!^4 / (2 15!^3) (w h)^15 = 1.2e-21 (w h)^15 = 3e-14 w h (b_6 / a)^2   of h a,
+/// where b_6 = L da is allowed, L = 13 616:  5e-6 w h (da / a) of da, less than the rounding da of a itself.
+double GaussRadau::wanted(const State<double>& from, double h) {
+  const double last = largest(b_[degree - 1]);
+  double allowed = options_.tolerance * largest_a_;
+  if (last > allowed) allowed = std::max(allowed, rounding(from, h));
+  return last > 0 ? h * std::pow(allowed / last, 1.0 / 7) : std::numeric_limits<double>::infinity();
 }
 
 double GaussRadau::advance(const State<double>& from, double limit, State<double>& to, Report& report) {
@@ -142,11 +175,9 @@ double GaussRadau::advance(const State<double>& from, double limit, State<double
   if (step_ == 0) step_ = options_.step ? *options_.step : first_length(from, a_);
   double proposal = std::min(step_, options_.max_step), h;
   while (true) {
-    h = cropped(proposal, limit);
-    if (!advances(from.time, h)) {
-      if (report.outcome == Outcome::success) report = accelerations_.underflow(from, h);
-      return 0.0;
-    }
+    h = chosen_length(from, proposal, limit, report);
+    if (h == 0.0) return 0.0;
+    last_rounding_.reset();
     predict(from, h);
     const bool solved = solve(from, h, report);
     if (!solved) last_length_ = 0;  // these b predict nothing
@@ -154,7 +185,7 @@ double GaussRadau::advance(const State<double>& from, double limit, State<double
       if (!solved) return 0.0;
       break;
     }
-    const double next = solved ? wanted(h) : 0.0;
+    const double next = solved ? wanted(from, h) : 0.0;
     if (next >= 0.25 * h) {
       step_ = std::max(std::min(next, 4 * h), h < proposal ? step_ : 0.0);
       report = {};

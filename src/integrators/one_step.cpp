@@ -18,6 +18,14 @@ double OneStep::fixed_length(const State<double>& from, double step, double limi
   return 0.0;
 }
 
+double OneStep::chosen_length(const State<double>& from, double proposal, double limit, Report& report) {
+  const double h = cropped(proposal, limit);
+  const double least = h == limit ? 0.0 : 10 * std::numeric_limits<double>::epsilon() * std::abs(from.time);
+  if (h > least && advances(from.time, h)) return h;
+  if (report.outcome == Outcome::success) report = accelerations_.underflow(from, h);
+  return 0.0;
+}
+
 double OneStep::step(State<double>& state, double limit, Report& report) {
   next_.drop_rests();
   const double h = advance(state, limit, next_, report);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "jetlag/integrators/force_rounding.hpp"
 #include "jetlag/integrators/one_step.hpp"
 
 namespace jetlag {
@@ -21,8 +22,11 @@ namespace jetlag {
 /// Source: Rein, Spiegel, MNRAS 446 (2015) 1424 [RS15]; Everhart 1985.
 class GaussRadau final : public OneStep {
  public:
-  /// Steps h = h_last (tolerance / (|b_6| / |a|))^(1/7), in largest components; a step that would have to be shorter
-  /// than a quarter is taken again, and none is more than four times its predecessor: [RS15] eq. 11.
+  /// Steps h = h_last (tolerance |a| / |b_6|)^(1/7), in largest components, of a at all nodes; a step that would have
+  /// to be shorter than a quarter is taken again, and none is more than four times its predecessor: [RS15] eq. 11. What
+  /// b_6 may be by rounding alone (force_rounding.hpp) is allowed where it is more than tolerance |a|, at rest, far
+  /// from the origin or with a tolerance below some 1e-11: steps are then as short as rounding lets b_6 tell, not
+  /// shorter.
   struct Options {
     double tolerance = 1e-9;                                    // eps_b > 0
     double max_step = std::numeric_limits<double>::infinity();  // [s], > 0
@@ -44,14 +48,17 @@ class GaussRadau final : public OneStep {
   double advance(const State<double>& from, double limit, State<double>& to, Report& report) override;
   bool solve(const State<double>& from, double h, Report& report);
   void predict(const State<double>& from, double h);
-  double wanted(double h) const;
+  double wanted(const State<double>& from, double h);
+  double rounding(const State<double>& from, double h);
   State<double> at(const State<double>& from, double h, double theta) const;
 
   Options options_;
-  double step_ = 0;  // the one to try next; 0: none yet
+  ForceRounding rounding_;
+  std::optional<double> last_rounding_;  // of b_6, in the step that is tried
+  double step_ = 0;                      // the one to try next; 0: none yet
   Coordinates<double> a_;
   Coefficients b_, g_, guess_;
-  double largest_a_ = 0;    // at the last node
+  double largest_a_ = 0;    // at all nodes
   double last_length_ = 0;  // of the step that b_ belongs to; 0: none
   State<double> end_;       // of that step
 };

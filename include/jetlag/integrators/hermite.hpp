@@ -4,7 +4,10 @@
 
 #include <limits>
 #include <optional>
+#include <utility>
+#include <vector>
 
+#include "jetlag/integrators/force_rounding.hpp"
 #include "jetlag/integrators/one_step.hpp"
 
 namespace jetlag {
@@ -24,6 +27,8 @@ class Hermite final : public OneStep {
     /// Aarseth's step, h^2 = accuracy (|a| |s| + |j|^2) / (|j| |c| + |s|^2), the least over the moving particles, at
     /// most twice the last one: s = x'''' and c = x''''' at the end of the last step, from the interpolation, for the
     /// first step from the series.  Source: Aarseth 1985.
+    /// Where |s| and |c| may be rounding of the accelerations that they are differences of (force_rounding.hpp), they
+    /// count as what they are more than that: a particle at rest bounds no step.
     double accuracy = 0.01;                                     // eta > 0
     double max_step = std::numeric_limits<double>::infinity();  // [s], > 0
     std::optional<double> step{};  // [s], > 0: steps of this length in place of those
@@ -37,11 +42,17 @@ class Hermite final : public OneStep {
  private:
   double advance(const State<double>& from, double limit, State<double>& to, Report& report) override;
   double aarseth_length(const State<double>& from, Report& report);
+  bool may_be_rounding(int particle) const;
+  std::pair<double, double> rounding(int particle);
+
+  static constexpr double roundings = 2;  // of a position in a step
 
   Options options_;
   std::vector<bool> fixed_;
   std::vector<Coordinates<double>> d0_, d1_;  // a and j at both ends of the last step
   State<double> end_;                         // of the last step; empty before the first
+  ForceRounding rounding_;
+  std::vector<Coordinates<double>> noise_;  // of a and j over the last step; empty: not measured
 };
 
 }  // namespace jetlag

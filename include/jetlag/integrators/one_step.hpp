@@ -25,6 +25,12 @@ class OneStep : public Integrator {
   /// `step` or what is left of it; 0 with a report where it does not change the time.
   double fixed_length(const State<double>& from, double step, double limit, Report& report);
 
+  /// `proposal`, the choice of a control, or what is left of it. 0 where it does not change the time or, unless it is
+  /// the last one, is below ten of its roundings, where the times of its stages are none: then the report is that of
+  /// the underflow, or the one that is there already of what made the step so short.   Source: [HNW93] dopri5.f,
+  /// dop853.f.
+  double chosen_length(const State<double>& from, double proposal, double limit, Report& report);
+
   /// After a step: where it began and ended.
   const State<double>& before() const { return before_; }
   const State<double>& after() const { return after_; }

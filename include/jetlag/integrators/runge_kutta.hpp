@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "jetlag/integrators/force_rounding.hpp"
 #include "jetlag/integrators/one_step.hpp"
 
 namespace jetlag {
@@ -38,8 +39,12 @@ class RungeKutta final : public OneStep {
   /// Steps by the estimated error e: a step is taken where
   ///     E = max(|e_x| / max(|x_0|, |x_1|, |h v_0|), |e_v| / max(|v_0|, |v_1|, |h a_0|)) / tolerance <= 1
   /// in largest components over all particles, and otherwise tried again and counted in Work::rejected; the next
-  /// length is h clamp(0.9 E^(-1/q), 1/5, 6), q the order of the estimate. The first is first_length().   Source: [HNW93] II.4, with norms in place of components.
-  /// Throws std::invalid_argument for a table without an estimate.
+  /// length is h clamp(0.9 E^(-1/q), 1/5, 6), q the order of the estimate. The first is first_length().
+  /// Source: [HNW93] II.4, with norms in place of components.
+  /// To what is allowed of |e_x| and |e_v| is added what rounding makes of them: eps of the same sizes, so that no
+  /// tolerance asks for more than doubles have, and that of the forces (force_rounding.hpp), so that at rest and far
+  /// from the origin the step grows to the border of stability. Throws std::invalid_argument for a table without an
+  /// estimate.
   RungeKutta(const System<double>& system, const RungeKuttaTable& table, const EmbeddedControl& control);
 
   /// Hermite's interpolation of both ends, in positions, velocities, accelerations and, from order 6 on, their
@@ -50,13 +55,14 @@ class RungeKutta final : public OneStep {
  private:
   double advance(const State<double>& from, double limit, State<double>& to, Report& report) override;
   bool attempt(const State<double>& from, double h, int first, State<double>& to, Report& report);
-  double error_ratio(const State<double>& from, double h, const State<double>& to) const;
+  double error_ratio(const State<double>& from, double h, const State<double>& to);
 
   RungeKuttaTable table_;
   std::vector<double> c_;
   std::optional<EmbeddedControl> control_;
   double step_;                             // the one to try next; 0: none yet
   std::vector<Coordinates<double>> v_, a_;  // of the stages
+  ForceRounding rounding_;
   mutable Accelerations of_piece_;
 };
 
