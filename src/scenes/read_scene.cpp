@@ -2,10 +2,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 
 #include "jetlag/motion/element_blocks.hpp"
+#include "jetlag/motion/energy.hpp"
 #include "jetlag/scenes/error.hpp"
 #include "scenes/parts.hpp"
 
@@ -31,6 +33,14 @@ Shape shape_of(const Particles& particles, std::vector<std::array<int, 2>> lines
   for (std::size_t i = 0; i < particles.fixed.size(); ++i)
     if (particles.fixed[i]) shape.fixed.push_back(static_cast<int>(i));
   return shape;
+}
+
+/// Refuses numbers that are too large together, such as a mass and the square of its velocity.
+void require_energy(const System<double>& system, const State<double>& initial, const Value& particles) {
+  if (std::isfinite(EnergyMeter(system)(initial).total()) && momentum(system, initial).allFinite()) return;
+  throw SceneError(particles.path() +
+                   ": their energy or momentum at the beginning is not finite; must be smaller masses, "
+                   "velocities, distances or strengths of forces");
 }
 
 /// Refuses a scene whose series would not fit into the memory of this machine.
@@ -69,6 +79,7 @@ Scene read(Json json, const std::filesystem::path& folder) {
   auto lines = read_forces(value.at("forces", Json::array()), particles, *system);
   Method method = read_method(value, system, scene.seed);
 
+  require_energy(*system, particles.state, value.at("particles"));
   require_memory(*system, static_cast<int>(method.largest_degree), value.at("particles"));
   scene.shape = shape_of(particles, std::move(lines));
   scene.initial = std::move(particles.state);
