@@ -56,6 +56,7 @@ int run(const SceneArguments& arguments, std::filesystem::path folder, bool quie
     result = run_scene_into(scene, folder, hooks, warnings);
   }
   if (!quiet) print_result(result.summary, folder);
+  warnings.insert(warnings.begin(), result.summary.warnings.begin(), result.summary.warnings.end());
   for (const std::string& warning : warnings) std::fprintf(stderr, "jetlag: %s\n", warning.c_str());
   if (result.summary.outcome == Outcome::success) return 0;
   std::fprintf(stderr, "jetlag: %s: %s\n", to_string(result.summary.outcome), result.summary.message.c_str());

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "jetlag/scenes/run_scene.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <sstream>
 
 #include "jetlag/integrators/integrator.hpp"
 #include "jetlag/output/clocks.hpp"
@@ -44,6 +46,18 @@ Report usable(const System<double>& system, const State<double>& state, const En
           fastest};
 }
 
+/// Whether all forces have potentials, and depend on positions only.
+bool conserves_energy(const System<double>& system) {
+  const auto is_of_position = [](const Node& node) {
+    const bool other = node.input.kind == Input::Kind::velocity || node.input.kind == Input::Kind::time;
+    return node.kind != Node::Kind::input || !other;
+  };
+  return std::ranges::all_of(system.elements(), [&](const Elements<double>& group) {
+    return group.count() == 0 ||
+           (group.law.energy && std::ranges::all_of(group.law.force.nodes, is_of_position));
+  });
+}
+
 /// Hands out the frames, and keeps the table of energies, up to the first state that has none.
 class Recorder {
  public:
@@ -63,6 +77,20 @@ class Recorder {
   /// The state where a run has ended early, unless it is a frame already.
   void last_good(const State<double>& state) {
     if (state.time > last_.time) record(state);
+  }
+
+  /// What the energies say against the method. An initial energy that is small because its parts cancel is no measure:
+  /// the change must be seen beside the kinetic energy too.
+  void judge() const {
+    Summary& summary = result_.summary;
+    if (summary.max_relative_energy_error <= 0.1 || largest_change_ <= 1e-3 * largest_kinetic_) return;
+    if (!conserves_energy(*scene_.system)) return;
+    std::ostringstream text;
+    text.precision(3);
+    text << "energy is conserved by this scene but changed by " << summary.max_relative_energy_error
+         << " times what it was: the step is too long or the method unstable; take a smaller step or "
+            "tolerance";
+    summary.warnings.push_back(text.str());
   }
 
   /// What is wrong with the first state that was not recorded; success where all were.
@@ -97,6 +125,8 @@ class Recorder {
   void keep(const EnergyRow& row) {
     Summary& summary = result_.summary;
     if (result_.energies.empty()) summary.initial_energy = row.energy;
+    largest_change_ =
+        std::max(largest_change_, std::abs(row.energy.total() - summary.initial_energy.total()));
     largest_kinetic_ = std::max(largest_kinetic_, row.energy.kinetic);
     result_.energies.push_back(row);
     summary.max_relative_energy_error =
@@ -111,7 +141,7 @@ class Recorder {
   const RunHooks& hooks_;
   RunResult& result_;
   std::optional<EnergyMeter> meter_;
-  double largest_kinetic_ = 0;
+  double largest_kinetic_ = 0, largest_change_ = 0;  // [J]
   State<double> last_;
   Report failure_;
 };
@@ -201,6 +231,8 @@ RunResult run_schedule(const Scene& scene, Schedule& schedule, const RunHooks& h
     if (report.outcome != Outcome::non_finite) report = recorder.failure();
     state = recorder.last();
   }
+
+  recorder.judge();
 
   summary.outcome = report.outcome;
   summary.message = report.message;

@@ -89,5 +89,43 @@ TEST(BlownUp, IsRefusedAtTheBeginning) {
       SceneError);
 }
 
+// ---- energies that ought to stay ---------------------------------------------------------------------------
+
+/// A mass on a spring, omega = 10 rad/s, at rest 1 m from where the spring ends, with other forces besides.
+RunResult oscillation(const std::string& step, const std::string& forces = "") {
+  return run_scene(read_scene(
+      R"({"dimension": 1, "particles": {"position": [[0], [2]], "fixed": [0]}, "until": 3,
+      "forces": [{"type": "spring", "pairs": [[0, 1]], "stiffness": 100, "rest_length": 1})" +
+          forces + R"(], "integrator": {"type": "leapfrog"}, "control": {"type": "fixed", "step": )" + step +
+          "}}",
+      "test", "."));
+}
+
+TEST(ConservedEnergy, ThatChangesIsAWarning) {
+  // Leapfrog is unstable beyond h = 2/omega = 0.2 s; below, its energy error is (omega h / 2)^2 = 0.0025 at h = 0.01.
+  const Summary unstable = oscillation("0.21").summary, stable = oscillation("0.01").summary;
+  EXPECT_EQ(unstable.outcome, Outcome::success);
+  ASSERT_EQ(unstable.warnings.size(), 1u);
+  EXPECT_THAT(unstable.warnings[0], HasSubstr("energy is conserved by this scene but changed by"));
+  EXPECT_THAT(unstable.warnings[0], HasSubstr("take a smaller step or tolerance"));
+  EXPECT_TRUE(stable.warnings.empty());
+}
+
+TEST(ConservedEnergy, IsNotThatOfADampedScene) {
+  const Summary damped = oscillation("0.01", R"(, {"type": "drag", "coefficient": 1})").summary;
+  EXPECT_GT(damped.max_relative_energy_error, 0.5);
+  EXPECT_TRUE(damped.warnings.empty());
+}
+
+TEST(ConservedEnergy, MayBeSmallBecauseItsPartsCancel) {
+  // E = 50 J of the spring - 49.999999 J in the field; the error, (omega h / 2)^2 = 2.5e-5 of the 28 J that move, is
+  // hundreds of times what is left.
+  const Summary cancelled =
+      oscillation("0.001", R"(, {"type": "uniform_field", "acceleration": [24.9999995]})").summary;
+  EXPECT_LT(std::abs(cancelled.initial_energy.total()), 1e-5);
+  EXPECT_GT(cancelled.max_relative_energy_error, 0.1);
+  EXPECT_TRUE(cancelled.warnings.empty());
+}
+
 }  // namespace
 }  // namespace jetlag::testing
