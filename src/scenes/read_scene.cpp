@@ -95,17 +95,15 @@ Scene read(Json json, const std::filesystem::path& folder) {
   return scene;
 }
 
-/// A path such as forces[1].stiffness[3] in steps: keys and positions.
+/// A path such as forces[1].stiffness[3] in steps: keys and positions. A step may be empty, as in "control..step".
 std::vector<std::string> steps_of(const std::string& path) {
   std::vector<std::string> steps(1);
   for (const char c : path) {
-    if (c == '.' || c == '[') {
-      if (!steps.back().empty()) steps.emplace_back();
-    } else if (c != ']') {
+    if (c == '.' || c == '[')
+      steps.emplace_back();
+    else if (c != ']')
       steps.back() += c;
-    }
   }
-  if (steps.back().empty()) steps.pop_back();
   return steps;
 }
 
@@ -116,8 +114,11 @@ void apply_setting(Json& json, const std::string& setting) {
     throw SceneError("--set " + setting + ": must be key.path=value, such as control.step=0.01");
   const std::string path = setting.substr(0, equals), text = setting.substr(equals + 1);
   const auto steps = steps_of(path);
-  if (steps.empty() || steps.size() > 16)
+  if (steps.size() > 16)
     throw SceneError("--set " + setting.substr(0, 60) + ": must be a path of 1 to 16 steps");
+  if (std::ranges::count(steps, "") > 0)
+    throw SceneError("--set " + setting.substr(0, 60) +
+                     ": a part of its path is empty; must be key.path=value, such as control.step=0.01");
   Json* at = &json;
   std::string so_far;
   for (const std::string& step : steps) {

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// What the program does with its command line, with signals, and with folders that it cannot write.
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/program.hpp"
+
+namespace jetlag::testing {
+namespace {
+
+using Json = nlohmann::json;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+TEST(CommandLine, RefusesPathsWithEmptyParts) {
+  const TemporaryFolder folder;
+  for (const char* path :
+       {"control..step", ".control.step", "control.step.", "forces[].stiffness", "forces[0]..type"}) {
+    const Ended run = program("run chain --out out --set " + std::string(path) + "=3", folder.path());
+    EXPECT_EQ(run.exit_code, 2) << path;
+    EXPECT_THAT(run.output, AllOf(HasSubstr("--set"), HasSubstr(path), HasSubstr("empty"))) << path;
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+}  // namespace
+}  // namespace jetlag::testing
