@@ -121,7 +121,7 @@ int main(int argc, char** argv) {
   bool quiet = false;
   auto* run_command = app.add_subcommand("run", "run a scene and leave its results in a folder");
   scene.add_to(*run_command);
-  run_command->add_option("--out", folder, "folder for the results (default: out/SCENE)");
+  add_out(*run_command, folder, "folder for the results (default: out/SCENE)");
   run_command->add_flag("--quiet", quiet, "no progress, no report");
   auto* scenes_command = app.add_subcommand("scenes", "list the built-in scenes");
   auto* show_command = app.add_subcommand("show", "print a scene as JSON, complete");

@@ -30,6 +30,12 @@ void stop_in_good_order() {
 
 bool stop_requested() { return stop; }
 
+void add_out(CLI::App& command, std::filesystem::path& folder, const std::string& description) {
+  command.add_option("--out", folder, description)->check([](const std::string& name) {
+    return name.empty() ? std::string("got \"\"; must be the name of a folder") : std::string();
+  });
+}
+
 void SceneArguments::add_to(CLI::App& command) {
   command.add_option("scene", scene, "a built-in scene or a JSON file")->required();
   command.add_option("--set", settings, "replace a value: key.path=value, may be repeated")

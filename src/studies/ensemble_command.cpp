@@ -99,7 +99,7 @@ void add_ensemble(CLI::App& app, std::optional<Study>& chosen) {
                       "what the picture shows: PARTICLE or PARTICLE.COMPONENT, 17.y");
   command->add_option("--perturb", options.perturbation, "standard deviation of the initial positions [m]");
   command->add_flag("--velocities", options.velocities, "velocities in ensemble.csv too");
-  command->add_option("--out", arguments->folder, "folder for the results (default: out/SCENE_ensemble)");
+  add_out(*command, arguments->folder, "folder for the results (default: out/SCENE_ensemble)");
   command->add_flag("--quiet", arguments->quiet, "no progress, no report");
   command->callback([&chosen, arguments] { chosen = [arguments] { return run(*arguments); }; });
 }

@@ -26,5 +26,15 @@ TEST(CommandLine, RefusesPathsWithEmptyParts) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
+TEST(CommandLine, RefusesAFolderWithoutAName) {
+  const TemporaryFolder folder;
+  for (const char* command : {"run chain --out ''", "ensemble ellipse --members 2 --out ''"}) {
+    const Ended run = program(command, folder.path());
+    EXPECT_EQ(run.exit_code, 2) << run.output;
+    EXPECT_THAT(run.output, AllOf(HasSubstr("--out"), HasSubstr("name of a folder")));
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
 }  // namespace
 }  // namespace jetlag::testing
