@@ -101,9 +101,8 @@ void check(const SceneArguments& arguments) {
   std::printf("  a step      %s%.4g orders on average, %.3g element coefficients, %s %.3g ms\n",
               scene.orders_at_least ? "at least " : "", scene.mean_orders,
               scene.mean_orders * static_cast<double>(elements), about, 1e3 * elapsed / repeats);
-  if (scene.fixed_step)
-    std::printf("  the run     %.0f steps, %s %.2g s and the frames\n",
-                std::ceil(scene.until / *scene.fixed_step), about,
+  if (const double steps = scene.fixed_step ? std::ceil(scene.until / *scene.fixed_step) : 0; steps > 0)
+    std::printf("  the run     %.*g steps, %s %.2g s and the frames\n", steps < 1e15 ? 15 : 4, steps, about,
                 scene.until / *scene.fixed_step * elapsed / repeats);
   else
     std::printf("  the run     as many steps as its control chooses, until t = %.6g s\n", scene.until);

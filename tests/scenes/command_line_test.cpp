@@ -36,5 +36,14 @@ TEST(CommandLine, RefusesAFolderWithoutAName) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
+TEST(CommandLine, CountsStepsInDigitsOneCanRead) {
+  const TemporaryFolder folder;
+  const auto steps = [&](const std::string& until) {
+    return program("check chain --set control.step=0.5 --set until=" + until, folder.path()).output;
+  };
+  EXPECT_THAT(steps("1e300"), HasSubstr(" 2e+300 steps"));
+  EXPECT_THAT(steps("1e10"), HasSubstr(" 20000000000 steps"));
+}
+
 }  // namespace
 }  // namespace jetlag::testing
