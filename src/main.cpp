@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The program: jetlag run | ensemble | scenes | show | check | methods | study | stability.
 //
-// Exit codes: 0 success; 1 a file cannot be written; 2 bad input, nothing is written; 3 the run did not reach its end.
+// Exit codes: 0 success; 1 a file or folder cannot be written; 2 bad input, nothing is written; 3 the run did not reach its end.
 
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <optional>
 
 #include "jetlag/control/courant.hpp"
@@ -153,6 +154,10 @@ int main(int argc, char** argv) {
   } catch (const std::invalid_argument& error) {
     std::fprintf(stderr, "jetlag: %s\n", error.what());
     return bad_input;
+  } catch (const std::filesystem::filesystem_error& error) {
+    std::fprintf(stderr, "jetlag: cannot write %s: %s; give another folder, or make room or rights there\n",
+                 error.path1().c_str(), error.code().message().c_str());
+    return 1;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "jetlag: %s\n", error.what());
     return 1;

@@ -45,5 +45,14 @@ TEST(CommandLine, CountsStepsInDigitsOneCanRead) {
   EXPECT_THAT(steps("1e10"), HasSubstr(" 20000000000 steps"));
 }
 
+TEST(CommandLine, NamesAFolderThatCannotBeMadeAndWhy) {
+  const TemporaryFolder folder;
+  write(folder / "file", "");  // a folder cannot lie in a file, whoever asks
+  const Ended run = program("run chain --out file/out", folder.path());
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.output, AllOf(HasSubstr("cannot write file/out"), HasSubstr("Not a directory"),
+                                Not(HasSubstr("filesystem error"))));
+}
+
 }  // namespace
 }  // namespace jetlag::testing
