@@ -232,6 +232,8 @@ RunResult run_schedule(const Scene& scene, Schedule& schedule, const RunHooks& h
     state = recorder.last();
   }
 
+  if (report.outcome == Outcome::interrupted)
+    report.message += " s, as asked: the outputs hold the run up to there; run it again for the rest";
   recorder.judge();
 
   summary.outcome = report.outcome;

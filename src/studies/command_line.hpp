@@ -15,7 +15,8 @@ namespace jetlag {
 
 constexpr int bad_input = 2, not_finished = 3;  // exit codes
 
-/// The first Ctrl-C lets a run end in good order, the second ends the program.
+/// The first Ctrl-C (or SIGTERM, or SIGHUP: the terminal is closed) lets a run end in good order, the second ends the
+/// program.
 void stop_in_good_order();
 bool stop_requested();
 

@@ -54,5 +54,26 @@ TEST(CommandLine, NamesAFolderThatCannotBeMadeAndWhy) {
                                 Not(HasSubstr("filesystem error"))));
 }
 
+class Signal : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Signal, EndsARunInGoodOrder) {
+  const TemporaryFolder folder;
+  // The folder is made after the handler is in place; the shell waits for it, and not for ever.
+  const Ended run = program("--version && { '" JETLAG_PROGRAM
+                            "' run two_body --out out --quiet --set until=1e12 & p=$!; "
+                            "for i in {1..1000}; do [ -e out/scene.json ] && break; sleep 0.01; done; "
+                            "kill -" +
+                                std::string(GetParam()) + " $p; wait $p; }",
+                            folder.path());
+  EXPECT_EQ(run.exit_code, 3) << run.output;
+  const Json summary = Json::parse(content(folder / "out/summary.json"));
+  EXPECT_EQ(summary["outcome"], "interrupted");
+  EXPECT_THAT(summary["message"].get<std::string>(),
+              AllOf(HasSubstr("stopped at t = "), HasSubstr("the outputs hold the run up to there")));
+}
+
+INSTANTIATE_TEST_SUITE_P(CommandLine, Signal, ::testing::Values("TERM", "HUP"),
+                         [](const auto& info) { return std::string(info.param); });
+
 }  // namespace
 }  // namespace jetlag::testing
