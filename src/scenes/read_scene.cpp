@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "jetlag/forces/forces.hpp"
 #include "jetlag/motion/element_blocks.hpp"
 #include "jetlag/motion/energy.hpp"
 #include "jetlag/scenes/error.hpp"
@@ -20,6 +21,25 @@ OutputOptions read_output(const Value& output) {
   return {static_cast<int>(output.at("frames", 100).integer(1, 1'000'000)),
           output.at("energy", true).boolean(), output.at("pictures", true).boolean(),
           output.at("clocks", false).boolean()};
+}
+
+/// The axis nearest to the way up: against the uniform fields, or out of the first floor, or else the second.
+std::array<int, 3> up_of(const System<double>& system) {
+  std::array<double, 3> up{};
+  for (const auto& group : system.elements())
+    if (group.law.name == UniformField::name && group.count() > 0)
+      for (int c = 0; c < 3; ++c) up[c] -= group.parameters[c];
+  const auto floor = std::ranges::find_if(system.elements(), [](const Elements<double>& group) {
+    return (group.law.name == Floor::name || group.law.name == QuadraticFloor::name) && group.count() > 0;
+  });
+  if (up == std::array{0.0, 0.0, 0.0} && floor != system.elements().end())
+    std::copy_n(floor->parameters.begin() + 2, 3, up.begin());  // after stiffness and height
+  int axis = 1;
+  for (int c = 0; c < 3; ++c)
+    if (std::abs(up[c]) > std::abs(up[axis])) axis = c;
+  std::array<int, 3> nearest{};
+  nearest[axis] = up[axis] < 0 ? -1 : 1;
+  return nearest;
 }
 
 Shape shape_of(const Particles& particles, std::vector<std::array<int, 2>> lines) {
@@ -82,6 +102,7 @@ Scene read(Json json, const std::filesystem::path& folder) {
   require_energy(*system, particles.state, value.at("particles"));
   require_memory(*system, static_cast<int>(method.largest_degree), value.at("particles"));
   scene.shape = shape_of(particles, std::move(lines));
+  scene.shape.up = up_of(*system);
   scene.initial = std::move(particles.state);
   scene.system = std::move(system);
   scene.schedule = std::move(method.schedule);

@@ -47,6 +47,18 @@ TEST(FloorInScenes, PointsAlongTheSecondAxisWhereNothingPulls) {
   EXPECT_EQ(normal_of(1, ground), (Normal{1}));
 }
 
+TEST(FloorInScenes, PointsUpInPicturesToo) {  // to the axis next to it
+  using Axis = std::array<int, 3>;
+  const auto up = [](const std::string& forces) {
+    return read_scene(scene_with(3, forces), "test", ".").shape.up;
+  };
+  EXPECT_EQ(up(""), (Axis{0, 1, 0}));
+  EXPECT_EQ(up(field("[1, -9.8, 2]")), (Axis{0, 1, 0}));
+  EXPECT_EQ(up(field("[1, 0, -9.8]")), (Axis{0, 0, 1}));
+  EXPECT_EQ(up(field("[9.8, 0, 0]")), (Axis{-1, 0, 0}));
+  EXPECT_EQ(up(R"({"type": "floor", "stiffness": 1, "normal": [0, 0, 1]})"), (Axis{0, 0, 1}));
+}
+
 TEST(FloorInScenes, PointsWhereItIsTold) {
   EXPECT_EQ(
       normal_of(3, field("[0, 0, -9.8]") + R"(, {"type": "floor", "stiffness": 10000, "normal": [2, 0, 0]})"),
