@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The program: jetlag run | ensemble | scenes | show | check | methods | study | stability.
 //
-// Exit codes: 0 success; 1 a file cannot be written; 2 bad input, nothing is written; 3 the run did not reach its end.
+// Exit codes: 0 success; 1 a file or folder cannot be written; 2 bad input, nothing is written; 3 the run did not reach its end.
 
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <optional>
 
 #include "jetlag/control/courant.hpp"
@@ -56,6 +57,7 @@ int run(const SceneArguments& arguments, std::filesystem::path folder, bool quie
     result = run_scene_into(scene, folder, hooks, warnings);
   }
   if (!quiet) print_result(result.summary, folder);
+  warnings.insert(warnings.begin(), result.summary.warnings.begin(), result.summary.warnings.end());
   for (const std::string& warning : warnings) std::fprintf(stderr, "jetlag: %s\n", warning.c_str());
   if (result.summary.outcome == Outcome::success) return 0;
   std::fprintf(stderr, "jetlag: %s: %s\n", to_string(result.summary.outcome), result.summary.message.c_str());
@@ -100,9 +102,8 @@ void check(const SceneArguments& arguments) {
   std::printf("  a step      %s%.4g orders on average, %.3g element coefficients, %s %.3g ms\n",
               scene.orders_at_least ? "at least " : "", scene.mean_orders,
               scene.mean_orders * static_cast<double>(elements), about, 1e3 * elapsed / repeats);
-  if (scene.fixed_step)
-    std::printf("  the run     %.0f steps, %s %.2g s and the frames\n",
-                std::ceil(scene.until / *scene.fixed_step), about,
+  if (const double steps = scene.fixed_step ? std::ceil(scene.until / *scene.fixed_step) : 0; steps > 0)
+    std::printf("  the run     %.*g steps, %s %.2g s and the frames\n", steps < 1e15 ? 15 : 4, steps, about,
                 scene.until / *scene.fixed_step * elapsed / repeats);
   else
     std::printf("  the run     as many steps as its control chooses, until t = %.6g s\n", scene.until);
@@ -120,7 +121,7 @@ int main(int argc, char** argv) {
   bool quiet = false;
   auto* run_command = app.add_subcommand("run", "run a scene and leave its results in a folder");
   scene.add_to(*run_command);
-  run_command->add_option("--out", folder, "folder for the results (default: out/SCENE)");
+  add_out(*run_command, folder, "folder for the results (default: out/SCENE)");
   run_command->add_flag("--quiet", quiet, "no progress, no report");
   auto* scenes_command = app.add_subcommand("scenes", "list the built-in scenes");
   auto* show_command = app.add_subcommand("show", "print a scene as JSON, complete");
@@ -153,6 +154,10 @@ int main(int argc, char** argv) {
   } catch (const std::invalid_argument& error) {
     std::fprintf(stderr, "jetlag: %s\n", error.what());
     return bad_input;
+  } catch (const std::filesystem::filesystem_error& error) {
+    std::fprintf(stderr, "jetlag: cannot write %s: %s; give another folder, or make room or rights there\n",
+                 error.path1().c_str(), error.code().message().c_str());
+    return 1;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "jetlag: %s\n", error.what());
     return 1;

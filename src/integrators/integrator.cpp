@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 namespace jetlag {
 
@@ -52,6 +53,24 @@ bool all_finite(const Coordinates<double>& position, const Coordinates<double>& 
                 ": the step is too long for this motion; take a shorter step or a control",
             bad};
   return false;
+}
+
+bool in_range(const State<double>& state, double begin, Report& report) {
+  // A sum of squares is the fastest way to see them all; it fails before any of them is as large, never after.
+  if (state.position.squaredNorm() + state.velocity.squaredNorm() < largest_number * largest_number)
+    return true;
+  for (int i = 0; i < state.position.rows(); ++i)
+    for (const auto& [rows, of] : {std::pair(&state.position, "position"), {&state.velocity, "velocity"}})
+      if (!(rows->row(i).cwiseAbs().maxCoeff() < largest_number)) {
+        report = {Outcome::non_finite,
+                  "the " + std::string(of) + " of particle " + std::to_string(i) +
+                      " after the step from t = " + number(begin) + " is beyond " + number(largest_number) +
+                      ", where squares overflow: the motion has blown up; take a shorter step or a smaller "
+                      "tolerance",
+                  i};
+        return false;
+      }
+  return true;
 }
 
 bool all_finite(const Expansion<double>& series, Report& report) {

@@ -64,8 +64,8 @@ void draw_triangle(Canvas& canvas, const std::array<Point, 3>& corners, const Co
 struct Floor {
   Eigen::Vector3d up, point;  // on the screen
 
-  Floor(const Support& support, const Camera& camera)
-      : up(camera(Eigen::RowVector3d(0, 1, 0))), point(support.height * up) {}
+  Floor(const Shape& shape, const Support& support, const Camera& camera)
+      : up(camera(Eigen::RowVector3d(shape.up[0], shape.up[1], shape.up[2]))), point(support.height * up) {}
 
   Eigen::Vector3d shadow(const Eigen::Vector3d& of) const {
     return of - lamp * (up.dot(of - point) / up.dot(lamp));
@@ -112,7 +112,7 @@ class Painter {
   }
 
   void draw_shadow(Strip& strip, std::size_t panel, const Points& points) const {
-    const Floor floor(support_, camera_);
+    const Floor floor(shape_, support_, camera_);
     for (const Triangle& triangle : shape_.surface) {
       const auto [a, b, c] = corners(triangle, points);
       strip.canvas.polygon({strip.place(panel, floor.shadow(a)), strip.place(panel, floor.shadow(b)),
@@ -148,9 +148,9 @@ class Painter {
 
 void draw_bodies(const std::filesystem::path& picture, const Shape& shape, const std::vector<Frame>& frames,
                  const std::string& title) {
-  const Camera camera(shape.dimension);
+  const Camera camera(shape);
   const Support support(shape, frames.front());
-  const Floor floor(support, camera);
+  const Floor floor(shape, support, camera);
   const Snapshots chosen = snapshots(frames);
   Window window;
   std::vector<double> all_speeds;

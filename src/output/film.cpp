@@ -22,12 +22,27 @@ constexpr double sheet_width = 1600, highest_panel = 640, narrowest_sheet = 760;
 
 }  // namespace
 
-Camera::Camera(int dimension) {
+namespace {
+
+/// The turn about one axis, by a quarter or a half, that takes `up` to the second axis.
+Eigen::Matrix3d upright(const std::array<int, 3>& up) {
+  const Eigen::Vector3d second(up[0], up[1], up[2]);
+  const Eigen::Vector3d third =
+      up[2] != 0 ? Eigen::Vector3d(0, -up[2], 0) : Eigen::Vector3d(0, 0, 1);  // what then faces the viewer
+  Eigen::Matrix3d turn;
+  turn << second.cross(third).transpose(), second.transpose(), third.transpose();
+  return turn;
+}
+
+}  // namespace
+
+Camera::Camera(const Shape& shape) {
   turn_ = Eigen::Matrix3d::Identity();
-  if (dimension < 3) return;
+  if (shape.dimension < 3) return;
   constexpr double right = 28 * std::numbers::pi / 180, above = 14 * std::numbers::pi / 180;
   turn_ = Eigen::AngleAxisd(above, Eigen::Vector3d::UnitX()).matrix() *
           Eigen::AngleAxisd(-right, Eigen::Vector3d::UnitY()).matrix();
+  if (shape.up != std::array{0, 1, 0}) turn_ *= upright(shape.up);
 }
 
 Eigen::Vector3d Camera::operator()(const Eigen::RowVectorXd& position) const {

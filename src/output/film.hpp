@@ -14,7 +14,7 @@ namespace jetlag {
 /// In the plane the screen is the plane; in space one looks a little from above and from the right.
 class Camera {
  public:
-  explicit Camera(int dimension);
+  explicit Camera(const Shape& shape);
   Eigen::Vector3d operator()(const Eigen::RowVectorXd& position) const;
   std::vector<Eigen::Vector3d> all(const Coordinates<double>& positions) const;
 

@@ -20,7 +20,7 @@ Coordinates<double> between(const Frame& from, const Frame& to, double s) {
 void draw_orbits(const std::filesystem::path& picture, const Shape& shape, const std::vector<Frame>& frames,
                  const std::string& title) {
   constexpr int pieces = 8;
-  const Camera camera(shape.dimension);
+  const Camera camera(shape);
   std::vector<std::vector<Eigen::Vector3d>> path = {camera.all(frames.front().position)};
   for (std::size_t f = 0; f + 1 < frames.size(); ++f)
     for (int s = 1; s <= pieces; ++s)

@@ -42,7 +42,7 @@ std::vector<std::size_t> by_depth(std::size_t count, auto depth) {
 
 void draw_springs(const std::filesystem::path& picture, const Shape& shape, const std::vector<Frame>& frames,
                   const std::string& title) {
-  const Camera camera(shape.dimension);
+  const Camera camera(shape);
   const Snapshots chosen = snapshots(frames);
   const Eigen::VectorXd rest = lengths(shape, frames.front());
   const auto strains = [&](const Frame& frame) -> Eigen::VectorXd {
@@ -86,7 +86,7 @@ void draw_springs(const std::filesystem::path& picture, const Shape& shape, cons
 
 void draw_swarm(const std::filesystem::path& picture, const Shape& shape, const std::vector<Frame>& frames,
                 const std::string& title) {
-  const Camera camera(shape.dimension);
+  const Camera camera(shape);
   const Snapshots chosen = snapshots(frames);
   std::vector<double> all_speeds;
   for (const std::size_t i : chosen.frames)

@@ -33,6 +33,12 @@ std::string list(const Values& values) {
   return "[" + text + "]";
 }
 
+std::string json(const std::vector<std::string>& texts) {
+  std::string list;
+  for (const std::string& text : texts) list += (list.empty() ? "" : ", ") + json(text);
+  return "[" + list + "]";
+}
+
 /// One particle a line.
 std::string json(const Coordinates<double>& values) {
   std::string text;
@@ -81,7 +87,8 @@ std::string to_json(const Summary& summary) {
                                  {"version", json(summary.version)},
                                  {"seed", json(summary.seed)},
                                  {"instruction_set", json(summary.instruction_set)},
-                                 {"threads", std::to_string(summary.threads)}});
+                                 {"threads", std::to_string(summary.threads)},
+                                 {"warnings", json(summary.warnings)}});
   return "{\n  " + object(members, "\n  ") + "\n}\n";
 }
 

@@ -8,7 +8,7 @@ namespace jetlag {
 
 struct Support {
   enum Kind { none, floor, ceiling } kind = none;
-  double height = 0;  // [m], second coordinate
+  double height = 0;  // [m], along shape.up
 
   /// By the height of the fixed particles in the body: its lowest quarter stands, its highest hangs.
   Support(const Shape& shape, const Frame& frame);

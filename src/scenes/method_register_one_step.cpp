@@ -124,7 +124,7 @@ std::vector<MethodPage> one_step_pages() {
                "runs whose energy does not drift.",
        .declared = {{"integrators/hermite.hpp", "Hermite"}},
        .keys = with({{"integrator.iterations",
-                      "of the corrector, 1 to 20; at least 2 where forces depend on velocities", "1"}},
+                      "of the corrector, 1 to 20; 1 stands for 2 where forces depend on velocities", "1"}},
                     fixed_or("aarseth", {"control.accuracy", "with `aarseth`: eta > 0", "0.01"})),
        .examples = {R"({"integrator": {"type": "hermite"},
  "control": {"type": "aarseth"}})",

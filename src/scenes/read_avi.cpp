@@ -62,6 +62,8 @@ Method impulse_method(std::function<std::unique_ptr<Schedule>()> make, std::uint
 Method read_avi(const Value& scene, std::shared_ptr<const System<double>> system) {
   const Value integrator = scene.at("integrator");
   integrator.only({"type", "resonance"});
+  checked(integrator.at("type"),
+          [&] { require_potentials(*system); });  // before courant speaks of their stiffness
   const std::uint64_t max_steps = read_own_schedule(scene);
   const Value control = read_own_control(scene);
   ElementSteps steps = read_element_steps(control, *system);

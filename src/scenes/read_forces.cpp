@@ -12,6 +12,7 @@ namespace jetlag {
 namespace {
 
 using Pairs = std::vector<std::array<int, 2>>;
+using Components = std::vector<double>;  // shape (dimension)
 constexpr std::size_t max_pairs = 50'000'000;
 
 /// "pairs": a list of pairs, "edges" of the mesh, or "all". Listed pairs must be of two different particles that do not
@@ -82,7 +83,7 @@ std::vector<std::array<int, 1>> moving(const Particles& particles) {
   return all;
 }
 
-Pairs read_spring(const Value& force, const Particles& particles, System<double>& system) {
+Pairs read_spring(const Value& force, const Particles& particles, const Components&, System<double>& system) {
   force.only({"type", "pairs", "stiffness", "rest_length"});
   Pairs pairs = read_pairs(force.at("pairs", "edges"), particles, "spring");
   const auto stiffness = force.at("stiffness").numbers(pairs.size(), non_negative, "spring");
@@ -102,7 +103,8 @@ Pairs read_spring(const Value& force, const Particles& particles, System<double>
   return pairs;
 }
 
-Pairs read_gravity(const Value& force, const Particles& particles, System<double>& system) {
+Pairs read_gravity(const Value& force, const Particles& particles, const Components&,
+                   System<double>& system) {
   force.only({"type", "pairs", "constant"});
   Pairs pairs = read_pairs(force.at("pairs", "all"), particles, "gravity");
   const double constant = force.at("constant", 1.0).number();
@@ -112,7 +114,7 @@ Pairs read_gravity(const Value& force, const Particles& particles, System<double
   return {};
 }
 
-Pairs read_drag(const Value& force, const Particles& particles, System<double>& system) {
+Pairs read_drag(const Value& force, const Particles& particles, const Components&, System<double>& system) {
   force.only({"type", "coefficient"});
   const auto coefficient = force.at("coefficient").numbers(particles.mass.size(), non_negative, "particle");
   const auto elements = moving(particles);
@@ -122,7 +124,8 @@ Pairs read_drag(const Value& force, const Particles& particles, System<double>& 
   return {};
 }
 
-Pairs read_uniform_field(const Value& force, const Particles& particles, System<double>& system) {
+Pairs read_uniform_field(const Value& force, const Particles& particles, const Components&,
+                         System<double>& system) {
   force.only({"type", "acceleration"});
   auto g = force.at("acceleration").vector(particles.dimension);
   g.resize(3, 0.0);
@@ -130,10 +133,28 @@ Pairs read_uniform_field(const Value& force, const Particles& particles, System<
   return {};
 }
 
-/// "normal", made of length 1; up where it is left out: the second axis, on a line the only one.
-std::array<double, 3> read_normal(const Value& force, int dimension) {
-  std::vector<double> up(dimension, 0.0);
-  up[dimension == 1 ? 0 : 1] = 1.0;
+/// Against the uniform fields of a scene, all together, wherever in the list they are; without any the second axis, on a
+/// line the only one.
+Components upwards(const Value& forces, int dimension) {
+  Components sum(dimension, 0.0), up(dimension, 0.0);
+  for (std::size_t f = 0; f < forces.size(); ++f) {
+    const Value force = forces.at(f);
+    const auto type = force.find("type"), acceleration = force.find("acceleration");
+    if (!type || !acceleration || !type->is_string() || type->text() != UniformField::name) continue;
+    const auto g = acceleration->vector(dimension);
+    for (int c = 0; c < dimension; ++c) sum[c] += g[c];
+  }
+  const double length = std::hypot(sum[0], dimension > 1 ? sum[1] : 0.0, dimension > 2 ? sum[2] : 0.0);
+  if (!(length > 0 && std::isfinite(length))) {
+    up[dimension == 1 ? 0 : 1] = 1.0;
+    return up;
+  }
+  for (int c = 0; c < dimension; ++c) up[c] = 0.0 - sum[c] / length;  // never -0
+  return up;
+}
+
+/// "normal", made of length 1; up where it is left out.
+std::array<double, 3> read_normal(const Value& force, int dimension, const Components& up) {
   const Value normal = force.at("normal", up);
   const auto n = normal.vector(dimension);
   const double length = std::hypot(n[0], dimension > 1 ? n[1] : 0.0, dimension > 2 ? n[2] : 0.0);
@@ -143,11 +164,12 @@ std::array<double, 3> read_normal(const Value& force, int dimension) {
   return unit;
 }
 
-Pairs read_floor(const Value& force, const Particles& particles, System<double>& system) {
+Pairs read_floor(const Value& force, const Particles& particles, const Components& up,
+                 System<double>& system) {
   force.only({"type", "stiffness", "height", "normal", "power"});
   const double stiffness = force.at("stiffness").number(non_negative),
                height = force.at("height", 0.0).number();
-  const auto [x, y, z] = read_normal(force, particles.dimension);
+  const auto [x, y, z] = read_normal(force, particles.dimension, up);
   if (force.at("power", 1).integer(1, 2) == 1)
     system.add<Floor>(moving(particles), {{stiffness, height, x, y, z}});
   else
@@ -157,7 +179,8 @@ Pairs read_floor(const Value& force, const Particles& particles, System<double>&
 
 struct ForceReader {
   const char* type;
-  Pairs (*read)(const Value&, const Particles&, System<double>&);  // returns the pairs to draw
+  // Returns the pairs to draw.
+  Pairs (*read)(const Value&, const Particles&, const Components& up, System<double>&);
 };
 constexpr ForceReader readers[] = {{Spring::name, read_spring},
                                    {Drag::name, read_drag},
@@ -171,6 +194,7 @@ std::vector<std::array<int, 2>> read_forces(const Value& forces, const Particles
                                             System<double>& system) {
   std::vector<std::string> types;
   for (const auto& reader : readers) types.push_back(reader.type);
+  const Components up = upwards(forces, particles.dimension);
   Pairs lines;
   for (std::size_t f = 0; f < forces.size(); ++f) {
     const Value force = forces.at(f);
@@ -178,7 +202,7 @@ std::vector<std::array<int, 2>> read_forces(const Value& forces, const Particles
     const std::string type = force.at("type").one_of(types);
     const auto reader =
         std::ranges::find(readers, type, [](const ForceReader& r) { return std::string(r.type); });
-    const Pairs drawn = reader->read(force, particles, system);
+    const Pairs drawn = reader->read(force, particles, up, system);
     lines.insert(lines.end(), drawn.begin(), drawn.end());
   }
   return lines;

@@ -2,10 +2,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 
+#include "jetlag/forces/forces.hpp"
 #include "jetlag/motion/element_blocks.hpp"
+#include "jetlag/motion/energy.hpp"
 #include "jetlag/scenes/error.hpp"
 #include "scenes/parts.hpp"
 
@@ -20,6 +23,25 @@ OutputOptions read_output(const Value& output) {
           output.at("clocks", false).boolean()};
 }
 
+/// The axis nearest to the way up: against the uniform fields, or out of the first floor, or else the second.
+std::array<int, 3> up_of(const System<double>& system) {
+  std::array<double, 3> up{};
+  for (const auto& group : system.elements())
+    if (group.law.name == UniformField::name && group.count() > 0)
+      for (int c = 0; c < 3; ++c) up[c] -= group.parameters[c];
+  const auto floor = std::ranges::find_if(system.elements(), [](const Elements<double>& group) {
+    return (group.law.name == Floor::name || group.law.name == QuadraticFloor::name) && group.count() > 0;
+  });
+  if (up == std::array{0.0, 0.0, 0.0} && floor != system.elements().end())
+    std::copy_n(floor->parameters.begin() + 2, 3, up.begin());  // after stiffness and height
+  int axis = 1;
+  for (int c = 0; c < 3; ++c)
+    if (std::abs(up[c]) > std::abs(up[axis])) axis = c;
+  std::array<int, 3> nearest{};
+  nearest[axis] = up[axis] < 0 ? -1 : 1;
+  return nearest;
+}
+
 Shape shape_of(const Particles& particles, std::vector<std::array<int, 2>> lines) {
   Shape shape;
   shape.dimension = particles.dimension;
@@ -31,6 +53,14 @@ Shape shape_of(const Particles& particles, std::vector<std::array<int, 2>> lines
   for (std::size_t i = 0; i < particles.fixed.size(); ++i)
     if (particles.fixed[i]) shape.fixed.push_back(static_cast<int>(i));
   return shape;
+}
+
+/// Refuses numbers that are too large together, such as a mass and the square of its velocity.
+void require_energy(const System<double>& system, const State<double>& initial, const Value& particles) {
+  if (std::isfinite(EnergyMeter(system)(initial).total()) && momentum(system, initial).allFinite()) return;
+  throw SceneError(particles.path() +
+                   ": their energy or momentum at the beginning is not finite; must be smaller masses, "
+                   "velocities, distances or strengths of forces");
 }
 
 /// Refuses a scene whose series would not fit into the memory of this machine.
@@ -69,8 +99,10 @@ Scene read(Json json, const std::filesystem::path& folder) {
   auto lines = read_forces(value.at("forces", Json::array()), particles, *system);
   Method method = read_method(value, system, scene.seed);
 
+  require_energy(*system, particles.state, value.at("particles"));
   require_memory(*system, static_cast<int>(method.largest_degree), value.at("particles"));
   scene.shape = shape_of(particles, std::move(lines));
+  scene.shape.up = up_of(*system);
   scene.initial = std::move(particles.state);
   scene.system = std::move(system);
   scene.schedule = std::move(method.schedule);
@@ -84,17 +116,15 @@ Scene read(Json json, const std::filesystem::path& folder) {
   return scene;
 }
 
-/// A path such as forces[1].stiffness[3] in steps: keys and positions.
+/// A path such as forces[1].stiffness[3] in steps: keys and positions. A step may be empty, as in "control..step".
 std::vector<std::string> steps_of(const std::string& path) {
   std::vector<std::string> steps(1);
   for (const char c : path) {
-    if (c == '.' || c == '[') {
-      if (!steps.back().empty()) steps.emplace_back();
-    } else if (c != ']') {
+    if (c == '.' || c == '[')
+      steps.emplace_back();
+    else if (c != ']')
       steps.back() += c;
-    }
   }
-  if (steps.back().empty()) steps.pop_back();
   return steps;
 }
 
@@ -105,8 +135,11 @@ void apply_setting(Json& json, const std::string& setting) {
     throw SceneError("--set " + setting + ": must be key.path=value, such as control.step=0.01");
   const std::string path = setting.substr(0, equals), text = setting.substr(equals + 1);
   const auto steps = steps_of(path);
-  if (steps.empty() || steps.size() > 16)
+  if (steps.size() > 16)
     throw SceneError("--set " + setting.substr(0, 60) + ": must be a path of 1 to 16 steps");
+  if (std::ranges::count(steps, "") > 0)
+    throw SceneError("--set " + setting.substr(0, 60) +
+                     ": a part of its path is empty; must be key.path=value, such as control.step=0.01");
   Json* at = &json;
   std::string so_far;
   for (const std::string& step : steps) {

@@ -201,7 +201,8 @@ class EnsembleRun {
       if (arrived) reference_.advance_to(t, hooks_.go_on);
       if (!arrived || (hooks_.go_on && !hooks_.go_on())) {
         end(Outcome::interrupted,
-            "stopped after the frame at t = " + number(result_.frames.back().time) + " s");
+            "stopped after the frame at t = " + number(result_.frames.back().time) +
+                " s, as asked: the outputs hold the frames up to there; run it again for the rest");
         break;
       }
       drop_failed();

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "jetlag/scenes/run_scene.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <sstream>
 
+#include "jetlag/integrators/integrator.hpp"
 #include "jetlag/output/clocks.hpp"
 #include "jetlag/output/files.hpp"
 #include "jetlag/output/pictures.hpp"
@@ -22,11 +25,44 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Hands out the frames, and keeps the table of energies.
+/// What is wrong with a state whose numbers are finite but not what is made of them; success where nothing is.
+Report usable(const System<double>& system, const State<double>& state, const EnergyRow* row) {
+  Report report;
+  if (!in_range(state, state.time, report)) {
+    report.message = "the motion has blown up: at t = " + number(state.time) + " a number of particle " +
+                     std::to_string(report.particle) + " is beyond " + number(largest_number) +
+                     ", where squares overflow; take a shorter step or a smaller tolerance";
+    return report;
+  }
+  const bool finite = !row || (std::isfinite(row->energy.total()) && std::isfinite(row->relative_error));
+  if (finite && momentum(system, state).allFinite()) return {};
+  int fastest = 0;
+  state.velocity.rowwise().squaredNorm().maxCoeff(&fastest);
+  return {Outcome::non_finite,
+          std::string("the ") + (finite ? "momentum" : "energy") + " at t = " + number(state.time) +
+              " is not finite, and particle " + std::to_string(fastest) +
+              " is the fastest: particles coincide, or the motion has blown up; take a shorter step or a "
+              "smaller tolerance",
+          fastest};
+}
+
+/// Whether all forces have potentials, and depend on positions only.
+bool conserves_energy(const System<double>& system) {
+  const auto is_of_position = [](const Node& node) {
+    const bool other = node.input.kind == Input::Kind::velocity || node.input.kind == Input::Kind::time;
+    return node.kind != Node::Kind::input || !other;
+  };
+  return std::ranges::all_of(system.elements(), [&](const Elements<double>& group) {
+    return group.count() == 0 ||
+           (group.law.energy && std::ranges::all_of(group.law.force.nodes, is_of_position));
+  });
+}
+
+/// Hands out the frames, and keeps the table of energies, up to the first state that has none.
 class Recorder {
  public:
   Recorder(const Scene& scene, const RunHooks& hooks, RunResult& result)
-      : scene_(scene), hooks_(hooks), result_(result) {
+      : scene_(scene), hooks_(hooks), result_(result), last_(scene.initial) {
     if (scene.output.energy) meter_.emplace(*scene.system);
     record(scene.initial);
   }
@@ -40,22 +76,36 @@ class Recorder {
 
   /// The state where a run has ended early, unless it is a frame already.
   void last_good(const State<double>& state) {
-    if (state.time > last_time_) record(state);
+    if (state.time > last_.time) record(state);
   }
 
+  /// What the energies say against the method. An initial energy that is small because its parts cancel is no measure:
+  /// the change must be seen beside the kinetic energy too.
+  void judge() const {
+    Summary& summary = result_.summary;
+    if (summary.max_relative_energy_error <= 0.1 || largest_change_ <= 1e-3 * largest_kinetic_) return;
+    if (!conserves_energy(*scene_.system)) return;
+    std::ostringstream text;
+    text.precision(3);
+    text << "energy is conserved by this scene but changed by " << summary.max_relative_energy_error
+         << " times what it was: the step is too long or the method unstable; take a smaller step or "
+            "tolerance";
+    summary.warnings.push_back(text.str());
+  }
+
+  /// What is wrong with the first state that was not recorded; success where all were.
+  const Report& failure() const { return failure_; }
+  /// The last state that was recorded.
+  const State<double>& last() const { return last_; }
+
   void record(const State<double>& state) {
-    last_time_ = state.time;
-    if (meter_) {
-      const Energy energy = (*meter_)(state);
-      if (result_.energies.empty()) result_.summary.initial_energy = energy;
-      largest_kinetic_ = std::max(largest_kinetic_, energy.kinetic);
-      const double initial = result_.summary.initial_energy.total();
-      const double scale = initial != 0 ? std::abs(initial) : largest_kinetic_;
-      const double error = scale > 0 ? (energy.total() - initial) / scale : 0.0;
-      result_.energies.push_back({state.time, energy, error});
-      double& worst = result_.summary.max_relative_energy_error;
-      worst = std::max(worst, std::abs(error));
-    }
+    if (failure_.outcome != Outcome::success) return;
+    EnergyRow row{state.time, {}, 0.0};
+    if (meter_) row = measured(state);
+    failure_ = usable(*scene_.system, state, meter_ ? &row : nullptr);
+    if (failure_.outcome != Outcome::success) return;
+    last_ = state;
+    if (meter_) keep(row);
     if (!hooks_.frame) return;
     Frame frame{state.time, state.position, state.velocity};
     if (result_.clocks) {
@@ -66,6 +116,23 @@ class Recorder {
   }
 
  private:
+  EnergyRow measured(const State<double>& state) {
+    const Energy energy = (*meter_)(state);
+    const double initial = result_.energies.empty() ? energy.total() : result_.summary.initial_energy.total();
+    const double scale = initial != 0 ? std::abs(initial) : std::max(largest_kinetic_, energy.kinetic);
+    return {state.time, energy, scale > 0 ? (energy.total() - initial) / scale : 0.0};
+  }
+  void keep(const EnergyRow& row) {
+    Summary& summary = result_.summary;
+    if (result_.energies.empty()) summary.initial_energy = row.energy;
+    largest_change_ =
+        std::max(largest_change_, std::abs(row.energy.total() - summary.initial_energy.total()));
+    largest_kinetic_ = std::max(largest_kinetic_, row.energy.kinetic);
+    result_.energies.push_back(row);
+    summary.max_relative_energy_error =
+        std::max(summary.max_relative_energy_error, std::abs(row.relative_error));
+  }
+
   double time_of(int frame) const {
     return frame == scene_.output.frames ? scene_.until : scene_.until * frame / scene_.output.frames;
   }
@@ -74,7 +141,9 @@ class Recorder {
   const RunHooks& hooks_;
   RunResult& result_;
   std::optional<EnergyMeter> meter_;
-  double largest_kinetic_ = 0, last_time_ = 0;
+  double largest_kinetic_ = 0, largest_change_ = 0;  // [J]
+  State<double> last_;
+  Report failure_;
 };
 
 /// Keeps frames for the film strip: all of a small scene, evenly spaced ones of a large one.
@@ -149,15 +218,23 @@ RunResult run_schedule(const Scene& scene, Schedule& schedule, const RunHooks& h
   options.at_frame = [&](const State<double>& at) { untimed([&] { recorder.record(at); }); };
   if (result.clocks)
     options.on_update = [&](const Update& update) { untimed([&] { result.clocks->add(update); }); };
-  if (hooks.after_step)
-    options.go_on = [&](double time) {
-      bool go_on = true;
+  options.go_on = [&](double time) {
+    bool go_on = recorder.failure().outcome == Outcome::success;
+    if (go_on && hooks.after_step)
       untimed([&] { go_on = hooks.after_step({time, scene.until, schedule.work().steps}); });
-      return go_on;
-    };
-  const Report report = schedule.run(state, scene.until, options);
+    return go_on;
+  };
+  Report report = schedule.run(state, scene.until, options);
   summary.wall_seconds = seconds_since(start) - recording;
   if (report.outcome != Outcome::success) recorder.last_good(state);
+  if (recorder.failure().outcome != Outcome::success) {
+    if (report.outcome != Outcome::non_finite) report = recorder.failure();
+    state = recorder.last();
+  }
+
+  if (report.outcome == Outcome::interrupted)
+    report.message += " s, as asked: the outputs hold the run up to there; run it again for the rest";
+  recorder.judge();
 
   summary.outcome = report.outcome;
   summary.message = report.message;

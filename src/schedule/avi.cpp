@@ -54,9 +54,13 @@ std::vector<int> moving_ends(const System<double>& system, const std::vector<std
 
 }  // namespace
 
-Avi::Avi(const System<double>& system, const ElementSteps& steps) : Impulses(system, "avi", "element") {
+void require_potentials(const System<double>& system) {
   for (const auto& group : system.elements())
     if (group.count() > 0) require_potential(group.law);
+}
+
+Avi::Avi(const System<double>& system, const ElementSteps& steps) : Impulses(system, "avi", "element") {
+  require_potentials(system);
   require_steps(system, steps);
   std::map<double, std::vector<std::vector<int>>> members;  // of each step, group by group
   for (std::size_t g = 0; g < steps.size(); ++g)

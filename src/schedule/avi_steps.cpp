@@ -64,8 +64,10 @@ ElementSteps courant_steps(const System<double>& system, double fraction) {
   for (std::size_t g = 0; g < steps.size(); ++g) {
     const auto& group = system.elements()[g];
     if (group.count() > 0 && group.law.stiffness_parameter < 0 && !group.law.force.is_static())
-      throw std::invalid_argument("courant: no stiffness is known of " + group.law.name +
-                                  ", so that nothing bounds its step; give it one");
+      throw std::invalid_argument(
+          "courant: no stiffness is known of " + group.law.name +
+          ", so that nothing bounds its step; leave courant out and give a step for each "
+          "force (control.step)");
     for (std::size_t e = 0; e < steps[g].size(); ++e)
       if (const double omega = std::sqrt(squared_frequency(system, group, e)); omega > 0) {
         steps[g][e] = fraction * 2.0 / omega;

@@ -18,12 +18,15 @@ namespace {
 Report not_finite(const char* what, int particle, double time) {
   std::ostringstream text;
   text.precision(10);
-  text << what << " particle " << particle << " at t = " << time
-       << " is not finite: the force is singular there (particles that coincide?), or the motion has blown "
-          "up; take "
-          "shorter steps, and not such that they resonate";
+  text
+      << what << " particle " << particle << " at t = " << time << " is not finite or beyond "
+      << largest_number
+      << ": the force is singular there (particles that coincide?), or the motion has blown up; take shorter "
+         "steps, and not such that they resonate";
   return {Outcome::non_finite, text.str(), particle};
 }
+
+bool in_range(double x) { return std::abs(x) < largest_number; }
 
 /// Some elements of a group, as a group of their own.
 Elements<double> part_of(const Elements<double>& group, const std::vector<int>& members) {
@@ -172,7 +175,7 @@ bool Impulses::drift(const Clock& clock, double time, const RunOptions& options,
     const double h = time - own_time_[i];
     if (h <= 0) continue;
     for (int c = 0; c < dimension_; ++c)
-      if (!std::isfinite(x_[i * stride_ + c] + h * v_[i * stride_ + c])) {
+      if (!in_range(x_[i * stride_ + c] + h * v_[i * stride_ + c])) {
         report = not_finite("the position of", i, time);
         return false;
       }
@@ -207,7 +210,7 @@ bool Impulses::push(Clock& clock, double time, double share, Report& report) {
     for (int c = 0; c < dimension_; ++c) {
       const std::size_t r = i * stride_ + c;
       const double v = v_[r] + h * push_[i] * f_[r];
-      if (!std::isfinite(v) || !std::isfinite(x_[r] + clock.step * v)) {
+      if (!in_range(v) || !in_range(x_[r] + clock.step * v)) {
         report = not_finite("the force on", i, time);
         return false;
       }

@@ -17,6 +17,11 @@ int degree_of(const Piece& piece, int particle) {
   return k;
 }
 
+/// The state at the beginning of a step, rests of compensated sums dropped.
+State<double> beginning(const Piece& piece) {
+  return {piece.begin, piece.position.front(), piece.velocity.front()};
+}
+
 void tell_updates(const Piece& piece, double step, const std::function<void(const Update&)>& on_update) {
   for (int i = 0; i < piece.position.front().rows(); ++i)
     on_update({i, piece.begin, step, degree_of(piece, i)});
@@ -40,6 +45,10 @@ Report Lockstep::run(State<double>& state, double until, const RunOptions& optio
     const double begin = state.time, limit = (until - begin) - lost, lost_before = lost;
     const double h = integrator_->step(state, limit, report);
     if (report.outcome != Outcome::success) return report;
+    if (!in_range(state, begin, report)) {
+      state = beginning(integrator_->piece());
+      return report;
+    }
     if (h == limit) {
       state.time = until;
     } else {

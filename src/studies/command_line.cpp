@@ -26,9 +26,18 @@ void stop_in_good_order() {
   action.sa_flags = static_cast<int>(SA_RESETHAND);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  struct sigaction before{};
+  sigaction(SIGHUP, nullptr, &before);
+  if (before.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);  // nohup goes on
 }
 
 bool stop_requested() { return stop; }
+
+void add_out(CLI::App& command, std::filesystem::path& folder, const std::string& description) {
+  command.add_option("--out", folder, description)->check([](const std::string& name) {
+    return name.empty() ? std::string("got \"\"; must be the name of a folder") : std::string();
+  });
+}
 
 void SceneArguments::add_to(CLI::App& command) {
   command.add_option("scene", scene, "a built-in scene or a JSON file")->required();

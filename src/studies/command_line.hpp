@@ -5,6 +5,7 @@
 #include <CLI/App.hpp>
 #include <chrono>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -14,9 +15,13 @@ namespace jetlag {
 
 constexpr int bad_input = 2, not_finished = 3;  // exit codes
 
-/// The first Ctrl-C lets a run end in good order, the second ends the program.
+/// The first Ctrl-C (or SIGTERM, or SIGHUP: the terminal is closed) lets a run end in good order, the second ends the
+/// program.
 void stop_in_good_order();
 bool stop_requested();
+
+/// "--out FOLDER", which must not be empty when it is given.
+void add_out(CLI::App& command, std::filesystem::path& folder, const std::string& description);
 
 struct SceneArguments {
   std::string scene;

@@ -30,20 +30,21 @@ void print(const EnsembleResult& result, const std::filesystem::path& folder) {
       static_cast<unsigned long long>(result.work.steps), result.work.mean_degree(), result.wall_seconds,
       result.threads, result.threads == 1 ? "" : "s", result.in_lanes ? ", in lanes" : "");
   const Calibration c = over_time(result);
-  const auto row = [&](const char* what, double value) {
+  const auto row = [&](const char* what, double value, bool comparable = true) {
     std::printf("  %-34s", what);
     if (std::isfinite(value))
       std::printf("%10.3g m", value);
     else
       std::printf("%10s", "not known");
-    if (value != c.spread && value > 0 && c.spread > 0) std::printf("   spread / it %8.3g", c.spread / value);
+    if (comparable && value != c.spread && value > 0 && c.spread > 0)
+      std::printf("   spread / it %8.3g", c.spread / value);
     std::printf("\n");
   };
   row("spread of the members", c.spread);
   row("true error of the members", c.member_error);
   row("true error of their mean", c.mean_error);
   row(("true error of fixed degree " + std::to_string(result.deterministic_degree)).c_str(),
-      c.deterministic_error);
+      c.deterministic_error, result.perturbation == 0);  // else the spread is that of where the members start
   std::printf("  (root mean squares over the positions of all moving particles at all frames)\n");
   for (const char* name : {"ensemble.json", "ensemble.csv", "ensemble.svg", "scene.json"})
     if (std::filesystem::exists(folder / name)) std::printf("  %s\n", (folder / name).string().c_str());
@@ -98,7 +99,7 @@ void add_ensemble(CLI::App& app, std::optional<Study>& chosen) {
                       "what the picture shows: PARTICLE or PARTICLE.COMPONENT, 17.y");
   command->add_option("--perturb", options.perturbation, "standard deviation of the initial positions [m]");
   command->add_flag("--velocities", options.velocities, "velocities in ensemble.csv too");
-  command->add_option("--out", arguments->folder, "folder for the results (default: out/SCENE_ensemble)");
+  add_out(*command, arguments->folder, "folder for the results (default: out/SCENE_ensemble)");
   command->add_flag("--quiet", arguments->quiet, "no progress, no report");
   command->callback([&chosen, arguments] { chosen = [arguments] { return run(*arguments); }; });
 }

@@ -62,7 +62,7 @@ void draw_spread(const std::filesystem::path& picture, const Shape& shape,
     length += (exact[0].position.row(a) - exact[0].position.row(b)).norm() /
               static_cast<double>(shape.lines.size());
   const double enlarged = round_number(0.25 * length / last_spread);
-  const Camera camera(2);
+  const Camera camera(shape);
   Window window;
   std::vector<double> times;
   for (std::size_t f = 1; f < exact.size(); ++f) {

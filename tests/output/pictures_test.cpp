@@ -116,6 +116,28 @@ class Pictures : public Scratch {
   }
 };
 
+TEST_F(Pictures, OfASceneWithAnotherWayUpAreThoseOfTheTurnedScene) {
+  const Tower tower;
+  const auto picture = [&](const Shape& shape, const std::vector<Frame>& frames) {
+    film(shape, frames);
+    return content(folder / "film.svg");
+  };
+  for (const bool springs : {false, true}) {
+    Shape shape = tower.shape;
+    if (springs) shape.surface.clear(), shape.lines = {{0, 1}, {1, 2}, {3, 20}};
+    const std::string upright = picture(shape, tower.frames);
+    std::vector<Frame> turned = tower.frames;  // y becomes z, and z becomes -y: exact
+    for (Frame& frame : turned)
+      for (auto* rows : {&frame.position, &frame.velocity}) {
+        rows->col(1).swap(rows->col(2));
+        rows->col(1) *= -1;
+      }
+    EXPECT_NE(picture(shape, turned), upright);
+    shape.up = {0, 0, 1};
+    EXPECT_EQ(picture(shape, turned), upright);
+  }
+}
+
 TEST_F(Pictures, AreFilesOfTheirKind) {
   const Tower tower;
   draw_film(folder / "film.png", tower.shape, tower.frames, "tower");

@@ -50,8 +50,9 @@ Summary sample() {
 
 TEST(Summary, HasEveryKeyOfTheContractInItsOrder) {
   const Json json = Json::parse(to_json(sample()));
-  EXPECT_THAT(keys(json), ElementsAre("outcome", "time", "position", "velocity", "energy", "momentum", "work",
-                                      "wall_seconds", "version", "seed", "instruction_set", "threads"));
+  EXPECT_THAT(keys(json),
+              ElementsAre("outcome", "time", "position", "velocity", "energy", "momentum", "work",
+                          "wall_seconds", "version", "seed", "instruction_set", "threads", "warnings"));
   EXPECT_THAT(keys(json["energy"]), ElementsAre("initial", "final", "max_relative_error"));
   EXPECT_THAT(keys(json["momentum"]), ElementsAre("initial", "final"));
   EXPECT_THAT(keys(json["work"]), ElementsAre("updates", "steps", "coefficients", "element_coefficients",
@@ -97,6 +98,13 @@ TEST(Summary, SaysWhatWentWrong) {
   const Json json = Json::parse(to_json(summary));
   EXPECT_EQ(json["outcome"], "step_underflow");
   EXPECT_EQ(json["message"], "particles \"4\" and\n\\7\\ collide\ufffd");
+}
+
+TEST(Summary, ListsItsWarnings) {
+  Summary summary = sample();
+  EXPECT_EQ(Json::parse(to_json(summary))["warnings"], Json::array());
+  summary.warnings = {"one", "\"two\""};
+  EXPECT_EQ(Json::parse(to_json(summary))["warnings"], (std::vector<std::string>{"one", "\"two\""}));
 }
 
 TEST(Summary, IsNullWhereThereIsNoNumber) {

@@ -209,6 +209,22 @@ TEST(EnsembleOfAScene, EndsInGoodOrderWhereItIsAsked) {
   EXPECT_EQ(result.frames.back().time, 1.5);
 }
 
+TEST(EnsembleOfAScene, ComparesNoSpreadOfStartsWithAFixedDegree) {  // neither in the file nor on the terminal
+  const TemporaryFolder folder;
+  write(folder / "scene.json", oscillator);
+  for (const bool perturbed : {false, true}) {
+    const Ended run = program(
+        "ensemble scene.json --members 10 --out out" + std::string(perturbed ? " --perturb 1e-3" : ""),
+        folder.path());
+    EXPECT_EQ(run.exit_code, 0) << run.output;
+    const Json summary = Json::parse(content(folder / "out/ensemble.json"));
+    EXPECT_EQ(summary["over_time"]["spread_over_deterministic_error"].is_null(), perturbed);
+    const std::string row = run.output.substr(run.output.find("true error of fixed degree"));
+    EXPECT_EQ(row.substr(0, row.find('\n')).find("spread / it") == std::string::npos, perturbed)
+        << run.output;
+  }
+}
+
 TEST(EnsembleOfAScene, RefusesBadInputAndWritesNothing) {
   const TemporaryFolder folder;
   write(folder / "scene.json", oscillator);

@@ -28,7 +28,7 @@ void draw_energy(const std::filesystem::path& csv, const std::filesystem::path& 
 ///   more                   snapshots of the particles, coloured by speed;
 ///   on a line              positions against time.
 /// Snapshots are evenly spaced in the list of frames, include the first and the last, and share one scale.
-/// In space the second coordinate points up.
+/// In space shape.up points up.
 void draw_film(const std::filesystem::path& picture, const Shape& shape, const std::vector<Frame>& frames,
                const std::string& title);
 

@@ -17,6 +17,7 @@ struct Shape {
   std::vector<std::array<int, 3>> surface;     // triangles; seen from outside they turn left
   std::vector<std::array<int, 4>> tetrahedra;  // the inside
   std::vector<int> fixed;
+  std::array<int, 3> up{0, 1, 0};  // in space, the way up of a picture: one of the axes or its opposite
 };
 
 /// Where everything is at one time.

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "jetlag/integrators/integrator.hpp"
 #include "jetlag/motion/energy.hpp"
@@ -16,6 +17,7 @@ namespace jetlag {
 struct Summary {
   Outcome outcome = Outcome::success;
   std::string message;                     // for all but success: when, which particle, what to do
+  std::vector<std::string> warnings;       // what a run that reached its end may have got wrong
   double time = 0;                         // [s], of the last good state
   Coordinates<double> position, velocity;  // [m], [m/s]
   bool has_energy = false;

@@ -30,6 +30,9 @@ using ElementSteps = std::vector<std::vector<double>>;
 /// One step for all.
 ElementSteps equal_steps(const System<double>& system, double step);
 
+/// Throws std::invalid_argument naming a force without a potential energy in the positions, which avi does not integrate.
+void require_potentials(const System<double>& system);
+
 /// fraction * 2 / omega_K, the share of its own Courant limit, for each element whose law bounds its stiffness k:
 ///     omega_K^2 = k (1/m_a + 1/m_b).     Fixed particles count as infinitely heavy.
 /// A constant force limits no step: it takes the shortest of those on the same particle, or where there is none the
