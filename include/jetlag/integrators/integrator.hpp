@@ -26,7 +26,7 @@ struct Work {
       0;                      // (element, order) pairs; a force evaluation is one for each element
   std::uint64_t degrees = 0;  // sum over updates of the degree used
   std::uint64_t rejected = 0;
-  std::uint64_t wake_ups = 0;  // updates before their time, of free clocks
+  std::uint64_t wake_ups = 0;  // updates before their time, of clocks
 
   double mean_degree() const {
     return updates == 0 ? 0.0 : static_cast<double>(degrees) / static_cast<double>(updates);
