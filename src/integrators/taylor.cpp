@@ -285,10 +285,7 @@ double RandomTaylor::step(State<double>& state, double limit, Report& report) {
     if (all_finite(series_, report)) all_finite(next.position, next.velocity, state.time, report);
     return 0.0;
   }
-  if (!kinks_.none()) {
-    if (!law_.is_fixed()) kinks_.forget();  // random weights lead elsewhere
-    left_at_ = next.position;
-  }
+  if (!kinks_.none()) left_at_ = next.position;
   std::swap(state, next);
   last_step_ = h;
   ++update_;

@@ -146,16 +146,15 @@ void BlockSteps::wake_neighbours(std::int64_t now) {
       if (motion_->begin_of(n) == now) continue;
       const auto due = [&](int level) { return (now / Ticks::step(level) + 1) * Ticks::step(level); };
       int level = level_[n];
-      while (level < level_[i] && !(motion_->departure(k, due(level)) <= motion_->options().tolerance))
-        ++level;
+      while (level < level_[i] && !motion_->keeps_its_word(k, due(level))) ++level;
       if (level > level_[n]) woken_.push_back({n, level});
     }
   }
   for (const auto& [n, level] : woken_) {
     if (level <= level_[n]) continue;
+    motion_->doubt(n);
     move(n, level_[n], level);
     level_[n] = level;
-    motion_->doubt(n);
     motion_->count_wake_up();
   }
 }

@@ -43,6 +43,7 @@ LocalMotion::LocalMotion(const System<double>& system, TruncationLaw law, const 
 void LocalMotion::begin(const State<double>& state, const Ticks& ticks) {
   all_.start(state);  // throws what is to be thrown
   kinks_.forget();
+  natural_.assign(state.position.rows(), ticks.seconds(Ticks::step(0)));
   set_ticks(ticks);
   const std::size_t particles = state.position.rows();
   series_.assign(particles * size_, 0.0);
@@ -251,7 +252,10 @@ void LocalMotion::shorten_late(Count now, std::vector<Kinks::Step>& shortened) {
   // Some places of the time at least, or it would not go on.
   const double least = 8 * std::numeric_limits<double>::epsilon() * std::abs(ticks_.time(now));
   std::vector<double> before;
-  for (const Kinks::Step& step : late_) before.push_back(step.h);
+  for (const Kinks::Step& step : late_) {
+    before.push_back(step.h);
+    natural_[step.particle] = step_of(step.particle);
+  }
   shortened = kinks_.shorten(late_, options_.tolerance, Now(*this, now));
   for (std::size_t k = 0; k < late_.size(); ++k) {
     Kinks::Step& step = late_[k];
@@ -265,6 +269,7 @@ void LocalMotion::remember(const std::vector<int>& particles) {
   former_.clear();
   former_begin_.clear();
   former_degree_.clear();
+  former_natural_.clear();
   former_series_.clear();
   if (kinks_.none()) return;
   for (int i : particles) {
@@ -272,17 +277,19 @@ void LocalMotion::remember(const std::vector<int>& particles) {
     former_.push_back(i);
     former_begin_.push_back(begin_[i]);
     former_degree_.push_back(degree_[i]);
+    former_natural_.push_back(natural_[i]);
     former_series_.insert(former_series_.end(), series(i), series(i) + size_);
   }
 }
 
-double LocalMotion::departure(std::size_t k, Count tick) const {
+bool LocalMotion::keeps_its_word(std::size_t k, Count tick) const {
   double before[3], after[3], most = 0;
   evaluate(former_series_.data() + k * size_, former_degree_[k], ticks_.seconds(tick - former_begin_[k]),
            before, nullptr);
   evaluate(former_[k], ticks_.seconds(tick - begin_[former_[k]]), after, nullptr);
   for (int c = 0; c < dimension_; ++c) most = std::max(most, std::abs(after[c] - before[c]));
-  return most;
+  const double reached = 0.7 * ticks_.seconds(tick - former_begin_[k]) / former_natural_[k];
+  return most <= options_.tolerance * std::max(1.0, std::pow(reached, law_.max_degree()));
 }
 
 double LocalMotion::step_of(int particle) const {

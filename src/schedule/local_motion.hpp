@@ -65,13 +65,17 @@ class LocalMotion {
     if (!late_.empty()) shorten_late(now, shortened);
   }
 
-  /// Keeps the series of those particles of a group that may cross a kink before their update, to tell how far they then
-  /// depart from them: `departure` of the k-th of `former` at a tick [m], the largest component.
+  /// Keeps the series of those particles of a group that may cross a kink before their update.
   void remember(const std::vector<int>& particles);
   const std::vector<int>& former() const { return former_; }
-  double departure(std::size_t k, Count tick) const;
+  /// Whether the motion of the k-th of them is at a tick where its former series was to lead it: to the tolerance, and to
+  /// what that series errs by beyond the step h that it asked for, in time s from its beginning: (0.7 s / h)^N tolerances.
+  bool keeps_its_word(std::size_t k, Count tick) const;
   /// A particle that must be remembered at its next update.
-  void doubt(int particle) { kinks_.doubt(particle); }
+  void doubt(int particle) {
+    kinks_.doubt(particle);
+    natural_[particle] = step_of(particle);
+  }
 
   Count begin_of(int particle) const { return begin_[particle]; }
   std::uint64_t updates_of(int particle) const { return updates_[particle]; }
@@ -143,10 +147,11 @@ class LocalMotion {
   std::vector<double> shift_, rows_;  // room for an update
   Kinks kinks_;
   std::vector<Kinks::Step> late_;  // steps that leave no room before kinks
+  std::vector<double> natural_;    // step [s] that the series of a particle in doubt asks for
   std::vector<int> former_;
   std::vector<Count> former_begin_;
   std::vector<int> former_degree_;
-  std::vector<double> former_series_;
+  std::vector<double> former_natural_, former_series_;
   std::uint64_t groups_ = 0, partial_coefficients_ = 0;
   Work work_;
 };
