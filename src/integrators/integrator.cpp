@@ -55,16 +55,15 @@ bool all_finite(const Coordinates<double>& position, const Coordinates<double>& 
   return false;
 }
 
-bool in_range(const State<double>& state, double begin, Report& report) {
+bool in_range(const State<double>& state, double largest, double begin, Report& report) {
   // A sum of squares is the fastest way to see them all; it fails before any of them is as large, never after.
-  if (state.position.squaredNorm() + state.velocity.squaredNorm() < largest_number * largest_number)
-    return true;
+  if (state.position.squaredNorm() + state.velocity.squaredNorm() < largest * largest) return true;
   for (int i = 0; i < state.position.rows(); ++i)
     for (const auto& [rows, of] : {std::pair(&state.position, "position"), {&state.velocity, "velocity"}})
-      if (!(rows->row(i).cwiseAbs().maxCoeff() < largest_number)) {
+      if (!(rows->row(i).cwiseAbs().maxCoeff() < largest)) {
         report = {Outcome::non_finite,
                   "the " + std::string(of) + " of particle " + std::to_string(i) +
-                      " after the step from t = " + number(begin) + " is beyond " + number(largest_number) +
+                      " after the step from t = " + number(begin) + " is beyond " + number(largest) +
                       ", where squares overflow: the motion has blown up; take a shorter step or a smaller "
                       "tolerance",
                   i};

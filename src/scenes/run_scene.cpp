@@ -28,7 +28,7 @@ double seconds_since(Clock::time_point start) {
 /// What is wrong with a state whose numbers are finite but not what is made of them; success where nothing is.
 Report usable(const System<double>& system, const State<double>& state, const EnergyRow* row) {
   Report report;
-  if (!in_range(state, state.time, report)) {
+  if (!in_range(state, largest_number, state.time, report)) {
     report.message = "the motion has blown up: at t = " + number(state.time) + " a number of particle " +
                      std::to_string(report.particle) + " is beyond " + number(largest_number) +
                      ", where squares overflow; take a shorter step or a smaller tolerance";
@@ -208,6 +208,7 @@ RunResult run_schedule(const Scene& scene, Schedule& schedule, const RunHooks& h
   double recording = 0;  // seconds spent on frames and hooks, which are not part of the integration
   const auto start = Clock::now();
   RunOptions options;
+  options.largest = largest_number;
   options.max_steps = scene.max_steps;
   options.frame_times = recorder.times();
   const auto untimed = [&](const auto& f) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "jetlag/schedule/lockstep.hpp"
 
+#include <cmath>
 #include <stdexcept>
 
 #include "schedule/event_watch.hpp"
@@ -45,7 +46,7 @@ Report Lockstep::run(State<double>& state, double until, const RunOptions& optio
     const double begin = state.time, limit = (until - begin) - lost, lost_before = lost;
     const double h = integrator_->step(state, limit, report);
     if (report.outcome != Outcome::success) return report;
-    if (!in_range(state, begin, report)) {
+    if (std::isfinite(options.largest) && !in_range(state, options.largest, begin, report)) {
       state = beginning(integrator_->piece());
       return report;
     }

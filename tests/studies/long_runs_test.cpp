@@ -80,7 +80,7 @@ TEST(MassRatioStudy, TellsUpdatesAndEnergies) {
   // degree, method in one or three words, updates of heavy and light, ratio, coefficients, energy errors, end
   const auto rows = table("mass_ratio --degrees 8 --periods 1000");
   ASSERT_EQ(rows.size(), 3u + 4u);
-  const double ratios[] = {8, 2, 1.88, 1};
+  const double ratios[] = {8, 2, 1, 1};  // a free clock waits for the light mass
   for (int i = 0; i < 4; ++i) {
     const auto& row = rows[3 + i];
     ASSERT_GE(row.size(), 9u);

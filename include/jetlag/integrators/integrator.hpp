@@ -73,9 +73,9 @@ bool all_finite(const Coordinates<double>& position, const Coordinates<double>& 
 /// Positions [m] and velocities [m/s] beyond it have squares, and so energies, that overflow.
 inline constexpr double largest_number = 1e150;
 
-/// Whether all numbers of a state are below largest_number; otherwise `report` names the first particle with one that is
-/// not. `begin`: of the step that led to the state.
-bool in_range(const State<double>& state, double begin, Report& report);
+/// Whether all numbers of a state are below `largest`; otherwise `report` names the first particle with one that is not.
+/// `begin`: of the step that led to the state.
+bool in_range(const State<double>& state, double largest, double begin, Report& report);
 
 /// As all_finite for the series of a motion: names the first coefficient that does not exist.
 bool all_finite(const Expansion<double>& series, Report& report);

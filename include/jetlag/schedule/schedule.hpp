@@ -29,6 +29,10 @@ struct Update {
 struct RunOptions {
   std::uint64_t max_steps = std::numeric_limits<std::uint64_t>::max();
 
+  /// Positions [m] and velocities [m/s] beyond which a motion counts as blown up: the run ends as `non_finite` with the
+  /// last state that is not. Schedules with one clock heed it.
+  double largest = std::numeric_limits<double>::infinity();
+
   /// What to watch for; a step ends at an event that changes the state or ends the run. Without events: no cost.
   std::vector<Event> events;
   /// Where every hit is appended, in order of time; null: nowhere.
