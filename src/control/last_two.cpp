@@ -36,16 +36,6 @@ double last_two_step(const LastTwoSizes& sizes, double tolerance) {
   return std::exp2(log_h);
 }
 
-double step_within_radius(const LastTwoSizes& sizes) {
-  double h = infinity;
-  for (int i = 0; i < 2; ++i) {
-    const int k = sizes.degree - 1 + i;
-    if (k > 3 && sizes.first[0] > 0 && sizes.last[i] > 0)
-      h = std::min(h, 0.7 * std::pow(2 * sizes.first[0] / (k * (k - 1) * sizes.last[i]), 1.0 / (k - 2)));
-  }
-  return h;
-}
-
 LastTwo::LastTwo(double tolerance, double max_step) : tolerance_(tolerance), max_step_(max_step) {
   require_positive("tolerance", tolerance);
   require_positive("max_step", max_step, true);

@@ -96,8 +96,10 @@ class OneByOne final : public RandomEnsemble::Members {
       return;
     }
     auto taylor = lend(lookers_);
-    RandomTaylor::Member before{member.draws.seed, member.draws.update - 1,
-                                std::make_unique<FixedStep>(member.length)};
+    RandomTaylor::Member before;
+    before.seed = member.draws.seed;
+    before.update = member.draws.update - 1;
+    before.control = std::make_unique<FixedStep>(member.length);
     taylor->exchange(before);
     State<double> state = member.begin;
     Report report;

@@ -118,7 +118,13 @@ double RungeKutta::error_ratio(const State<double>& from, double h, const State<
   const bool shrinks = plain > std::pow(0.9, table_.error_order);
   if (!shrinks || e_v() > e_v(h * w * most)) return plain;
   const auto counted = rounding_.element_coefficients();
-  const double da = largest(rounding_(from, h, n, std::span(&a_[0], 1)).front());
+  double da = largest(rounding_(from, h, n, std::span(&a_[0], 1)).front());
+  // At the end as well: a force may be none at the beginning, as above a floor.
+  const State<double> end{from.time + h, to.position, to.velocity};
+  Coordinates<double> a;
+  Report report;
+  if (accelerations_(end, a, report))
+    da = std::max(da, largest(rounding_(end, h, n, std::span(&a, 1)).front()));
   other_element_coefficients_ += rounding_.element_coefficients() - counted;
   return with(da);
 }

@@ -236,21 +236,17 @@ double RandomTaylor::up_to_kinks(double h, const State<double>& state) {
   if (late_.empty()) return h;
   // Some places of the time at least, or it would not go on: beyond a kink the next step may be no longer than the way.
   const double least = 8 * std::numeric_limits<double>::epsilon() * std::abs(state.time);
+  const double size = series_.position_norm(0);
   const double depth =
-      std::max(control_->past_kinks(series_.position_norm(0)), least * series_.velocity_norm(0));
+      std::max({control_->past_kinks(size), depth_of_rounding(size), least * series_.velocity_norm(0)});
   kinks_.shorten(late_, depth, SeriesPaths(series_, last));
-  const auto size = [&](int k, int particle) {
-    return 0 <= k && k <= last ? series_.position(k).row(particle).cwiseAbs().maxCoeff() : 0.0;
-  };
   double shortest = h;
   for (const Kinks::Step& step : late_) {
     shortest = std::min(shortest, step.h);
     if (!step.near_point) continue;
-    const int i = step.particle;
-    shortest = std::min(
-        shortest,
-        series_.time_unit() *
-            step_within_radius({last, {size(2, i), size(3, i)}, {size(last - 1, i), size(last, i)}}));
+    const double radius = step_within_radius(
+        last, [&](int k) { return series_.position(k).row(step.particle).cwiseAbs().maxCoeff(); });
+    shortest = std::min(shortest, series_.time_unit() * radius);
   }
   return std::min(h, std::max(shortest, least));
 }
@@ -260,7 +256,8 @@ double RandomTaylor::step(State<double>& state, double limit, Report& report) {
   if (!sequential_) draw();
   if (const int orders = control_->orders_read(law_, options_.velocity); orders > 0) grow_to(orders, state);
   double h = cropped(control_->propose({series_, law_}), limit);
-  if (!kinks_.none() && std::isfinite(h)) h = up_to_kinks(h, state);
+  if (!kinks_.none() && std::isfinite(h) && std::isfinite(control_->past_kinks(1.0)))
+    h = up_to_kinks(h, state);
   if (!advances(state.time, h)) {
     if (all_finite(series_, report)) report = step_underflow(series_, h);
     return 0.0;
@@ -307,6 +304,8 @@ void RandomTaylor::exchange(Member& member) {
   draws_.reseed(options_.seed);
   std::swap(update_, member.update);
   std::swap(control_, member.control);
+  kinks_.exchange(member.tracks);
+  std::swap(left_at_, member.left_at);
   time_unit_ = 1;
 }
 

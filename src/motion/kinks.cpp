@@ -102,10 +102,8 @@ Kinks::Crossing Kinks::first_beyond(const Element& e, double h, double depth, co
   constexpr int parts = 8;
   Eigen::Vector3d side = kink(e, 0.0, now);
   const double length = side.norm();
-  const auto stays_near = [&](double s) { return (kink(e, s, now) - side).norm() < 0.5 * length; };
   const bool undecided = !(length > depth), is_point = laws_[e.law].is_point,
              near_point = is_point && length < 1000 * depth;
-  if (!undecided && stays_near(h) && stays_near(0.5 * h)) return {h, near_point};
   const double far = undecided ? 4 * depth : 2 * length;
   const auto beyond = [&](const Eigen::Vector3d& way) {
     return ((undecided || is_point) && way.norm() > far) ||
@@ -138,6 +136,10 @@ std::vector<Kinks::Step> Kinks::shorten(std::span<Step> steps, double depth, con
     now.at(i, 0.0, track.x);
     now.velocity(i, track.v);
   }
+  for (const Step& step : steps)  // fixed particles have no steps of their own
+    for (const Element& e : elements_of(step.particle))
+      for (int i : particles_of(e))
+        if (fixed_[i]) now.at(i, 0.0, tracks_[i].x);
   for (const Step& step : steps) look(step.particle, now.now());
 
   std::vector<int> doubtful;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "schedule/local_motion.hpp"
@@ -60,10 +61,17 @@ void Asynchronous::expected_positions(Ticks::Count now) {
     for (int n : motion_->graph().neighbours(i)) {
       const Ticks::Count end = motion_->begin_of(n) + step_[n];
       const std::size_t size = expected_.size();
-      expected_.resize(size + 3);
+      expected_.resize(size + 3, std::numeric_limits<double>::quiet_NaN());
       if (end > now && queue_.time_of(n) != EventQueue::never)
         motion_->position(i, end - motion_->begin_of(i), &expected_[size]);
     }
+}
+
+/// The first tick after one at which the time is another, by some places.
+Ticks::Count Asynchronous::next_after(Ticks::Count now) const {
+  const Ticks& ticks = motion_->ticks();
+  const double places = 8 * std::numeric_limits<double>::epsilon() * std::abs(ticks.time(now));
+  return now + std::max<Ticks::Count>(1, ticks.in(places));
 }
 
 void Asynchronous::notify_neighbours(Ticks::Count now) {
@@ -76,14 +84,17 @@ void Asynchronous::notify_neighbours(Ticks::Count now) {
       const double* before = expected;
       expected += 3;
       const Ticks::Count end = motion_->begin_of(n) + step_[n];
-      if (motion_->begin_of(n) == now || queue_.time_of(n) == now) continue;
+      if (std::isnan(before[0]) || queue_.time_of(n) == now) continue;
       std::array<double, 3> after{};
       motion_->position(i, end - now, after.data());
       double departure = 0;
       for (int c = 0; c < dimension; ++c) departure = std::max(departure, std::abs(after[c] - before[c]));
       doubt_[n] += departure;
       if (doubt_[n] > most) {
-        queue_.set(n, now);
+        // Who has been updated at this tick already, as one that comes over a kink, is so again at the next.
+        const Ticks::Count next = motion_->begin_of(n) == now ? next_after(now) : now;
+        if (next >= queue_.time_of(n)) continue;
+        queue_.set(n, next);
         motion_->count_wake_up();
       }
     }

@@ -256,10 +256,21 @@ void LocalMotion::shorten_late(Count now, std::vector<Kinks::Step>& shortened) {
     before.push_back(step.h);
     natural_[step.particle] = step_of(step.particle);
   }
-  shortened = kinks_.shorten(late_, options_.tolerance, Now(*this, now));
+  const auto size = [&](int particle, int order) {
+    const double* c = series(particle) + order * stride_;
+    double most = 0;
+    for (int d = 0; d < stride_; ++d) most = std::max(most, std::abs(c[d]));
+    return most;
+  };
+  double largest = 0;
+  for (const Kinks::Step& step : late_) largest = std::max(largest, size(step.particle, 0));
+  const double depth = std::max(options_.tolerance, depth_of_rounding(largest));
+  shortened = kinks_.shorten(late_, depth, Now(*this, now));
   for (std::size_t k = 0; k < late_.size(); ++k) {
     Kinks::Step& step = late_[k];
-    if (step.near_point) step.h = std::min(step.h, step_within_radius(sizes_of(step.particle)));
+    if (step.near_point)
+      step.h = std::min(step.h, step_within_radius(law_.max_degree(),
+                                                   [&](int order) { return size(step.particle, order); }));
     if (step.h < before[k]) shortened.push_back(step);
   }
   for (Kinks::Step& step : shortened) step.h = std::max(step.h, least);

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "jetlag/forces/floor.hpp"
 #include "jetlag/forces/spring.hpp"
+#include "jetlag/forces/uniform_field.hpp"
 #include "studies/reference_problems.hpp"
 
 namespace jetlag {
@@ -144,6 +146,27 @@ HardCase resonance() {
             {{0}, {start[0]}, {start[1]}, {0}}, {{0}, {0}, {0}, {0}}, until, {{0}, {end[0]}, {end[1]}, {0}});
 }
 
+/// A spring that collapses exactly: a harmonic motion about 1 or -1, on whichever side the mass is. It crosses at asin(5/6)
+/// and a half turn of 2 (pi - atan(sqrt(.44))) later, and is at 1 - cos t + sqrt(.44) sin t after that.
+double collapsed_at_ten() {
+  const double speed = std::sqrt(0.44),
+               since = 10 - std::asin(5.0 / 6) - 2 * (std::numbers::pi - std::atan(speed));
+  return 1 - std::cos(since) + speed * std::sin(since);
+}
+
+/// A unit mass dropped from 1 m onto a floor of 1e4 N/m, ten times: a fall to the speed v, s'' = g - w^2 s for
+/// 2 (pi - atan(v w / g)) / w, and back to where it was.
+HardCase bounces() {
+  constexpr double g = 9.81, w = 100;
+  const double v = std::sqrt(2 * g);
+  System<double> system(2, {1.0});
+  system.add<UniformField>({{0}}, {{0.0, -g, 0.0}});
+  system.add<Floor>({{0}}, {{w * w, 0.0, 0.0, 1.0, 0.0}});
+  return of("H11 contact", "a mass bounces on a stiff floor", std::move(system), {{0, 1}}, {{0.1, 0}},
+            10 * (2 * v / g + 2 * (std::numbers::pi - std::atan(v * w / g)) / w),
+            {{(2 * v / g + 2 * (std::numbers::pi - std::atan(v * w / g)) / w), 1}});
+}
+
 }  // namespace
 
 std::vector<HardCase> hard_cases() {
@@ -173,7 +196,8 @@ std::vector<HardCase> hard_cases() {
   for (const auto& [delta, digits, end] :
        {std::tuple(1e-1, "0.1", std::vector{0.52966029309327483381507699, -0.82583380869474958566542626}),
         {1e-3, "1e-3", {1.263029561342757868655169, -0.084835542224449331469822793}},
-        {1e-6, "1e-6", {1.2661229803496504181608035, -0.00020477246036047531671662606}}}) {
+        {1e-6, "1e-6", {1.2661229803496504181608035, -0.00020477246036047531671662606}},
+        {0.0, "0", {collapsed_at_ten(), 0}}}) {
     System<double> spring(2, {1.0, 1.0});
     spring.fix(0);
     spring.add<Spring>({{0, 1}}, {{1.0, 1.0}});
@@ -224,6 +248,7 @@ std::vector<HardCase> hard_cases() {
       masses({1, 0, 0}, {1 / omega, 0, 0}), masses({1, 0, 0}, {1, 0, 0}), 10,
       masses({1.04205763710250895438097, 0.243635570363191095817151, -0.106360437964649122662849},
              {-0.0275579312012573383034702, -0.0005927177946675771468034, 0.000395054059610075512822745})));
+  all.push_back(bounces());
   return all;
 }
 

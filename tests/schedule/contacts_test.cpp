@@ -238,6 +238,19 @@ TEST(Contacts, OfTheEndsOfASpringComeAtTheTimesOfTheClosedForm) {
   EXPECT_EQ(state.position(1, 1), 0);
 }
 
+TEST_P(Contacts, OfTheEndsOfASpringAreFoundFarFromTheOrigin) {
+  // Held at 1000 m, a mass at 999.9 m that flies through the other end, k = L = 1: (|d| - 1)^2 + v^2 stays. Places are rounded
+  // to 1e-13 m, and 512 of these may hide the crossing: 2 x 1.1e-10 each time; twice within 4 s, and the tolerance.
+  System<double> system(1, {1.0, 1.0});
+  system.fix(0);
+  system.add<Spring>({{0, 1}}, {{1.0, 1.0}});
+  State<double> state{0.0, Coordinates<double>{{1000}, {999.9}}, Coordinates<double>{{0}, {1}}};
+  EnergyMeter energy(system);
+  const double before = energy(state).total();
+  ASSERT_EQ(GetParam().make(system, 1e-10)->run(state, 4.0, {}).outcome, Outcome::success);
+  EXPECT_NEAR(energy(state).total(), before, 1e-8);
+}
+
 TEST(Contacts, OfARandomDegreeAreFoundToo) {
   // The step is shortened before the degree is drawn, so that the mean over draws is the motion: with tolerances of
   // 1e-4 the energy of 64 bounces stays within 10 x 64 x 1e-4 x 4.4 / (0.01 s) ... of 9.81; without, the mass would fall

@@ -41,7 +41,7 @@ class Control {
   virtual double propose(const Prospect& prospect) = 0;
 
   /// How far [m] beyond a kink of a force (motion/kinks.hpp) a step may end, where positions are of this size [m]: those
-  /// that are longer are shortened. Infinite where a step is taken as it is.
+  /// that are longer are shortened; as far as rounding hides it, all may. Infinite where a step is taken as it is.
   virtual double past_kinks(double size) const = 0;
 
   /// A control of the same kind and state.

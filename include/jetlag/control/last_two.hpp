@@ -42,8 +42,17 @@ void stand_in(LastTwoSizes& sizes, const Size& size) {
 /// infinity where the last coefficients vanish; 0 where a size is not a number or infinite.
 double last_two_step(const LastTwoSizes& sizes, double tolerance);
 
-/// The second of these rules alone and with f_2 alone: for a force that does not change much, though it may turn.
-double step_within_radius(const LastTwoSizes& sizes);
+/// The second of these rules alone, with f_2 alone and all orders: for a force that does not change much, though it may
+/// turn, and whose series may be rounding in some orders and not in others. size(k): of coefficient k <= N.
+template <class Size>
+double step_within_radius(int degree, const Size& size) {
+  double h = std::numeric_limits<double>::infinity();
+  const double first = 2 * size(2);
+  for (int k = 3; k <= degree && first > 0; ++k)
+    if (const double force = k * (k - 1) * size(k); force > 0)
+      h = std::min(h, 0.7 * std::pow(first / force, 1.0 / (k - 2)));
+  return h;
+}
 
 /// Whether last_two_step is at least h: its two rules without logarithms, for one h > 0 and many particles. Within a few
 /// rounding errors of h either answer may be given.

@@ -64,6 +64,8 @@ class RandomTaylor final : public Integrator {
   struct Member {
     std::uint64_t seed = 1, update = 0;  // of the draws
     std::unique_ptr<Control> control;
+    std::vector<Kinks::Track> tracks;  // of its particles, up to where it was left
+    Coordinates<double> left_at;
   };
   /// Goes on as another trajectory of the same system; `member` is then the one so far. The work is that of all.
   void exchange(Member& member);

@@ -12,6 +12,7 @@
 // crossed back within an eighth of a step may be missed.
 
 #include <cmath>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -31,6 +32,11 @@ class Paths {
   virtual void velocity(int particle, double* v) const = 0;
 };
 
+/// What rounding may hide of a place [m] among positions of this size, computed in some hundred operations.
+constexpr double depth_of_rounding(double size) {
+  return 512 * std::numeric_limits<double>::epsilon() * size;
+}
+
 class Kinks {
  public:
   Kinks() = default;
@@ -43,6 +49,19 @@ class Kinks {
 
   /// For particles that have been moved by others: nothing is known of them any more.
   void forget();
+
+  /// What is known of the particles.
+  struct Track {
+    double x[3], v[3], begin;  // position [m] at a time [s] and velocity [m/s]
+    double room;               // [m]; below 0: none
+    double until;              // [s]
+    double reached;            // how far off the track the step leads that the particle is in [m]
+  };
+  /// Goes on with the particles of another motion of the same system; nothing is known of them where `tracks` is empty.
+  void exchange(std::vector<Track>& tracks) {
+    std::swap(tracks, tracks_);
+    if (tracks_.empty()) forget();
+  }
 
   /// A step that a particle is about to take from now on.
   struct Step {
@@ -77,8 +96,9 @@ class Kinks {
   void doubt(int particle) { tracks_[particle].room = -1; }
 
   /// Takes steps that may leave their rooms. A step in which an element comes farther than `depth` [m] > 0 beyond a kink is
-  /// shortened to end there; of two particles that go apart, where they are twice as far away. Returns the other moving particles of such elements that are in a step and not in `steps`:
-  /// how soon they meet the kink. The same for any order of steps.
+  /// shortened to end there; of two particles that go apart, where they are twice as far away. Returns the other moving
+  /// particles of such elements that are in a step and not in `steps`: how soon they meet the kink. The same for any order
+  /// of steps.
   std::vector<Step> shorten(std::span<Step> steps, double depth, const Paths& now);
 
  private:
@@ -102,12 +122,6 @@ class Kinks {
     return {law.particles.data() + static_cast<std::size_t>(e.number) * law.participants,
             static_cast<std::size_t>(law.participants)};
   }
-  struct Track {
-    double x[3], v[3], begin;  // position [m] at a time [s] and velocity [m/s]
-    double room;               // [m]; below 0: none
-    double until;              // [s]
-    double reached;            // how far off the track the step leads that the particle is in [m]
-  };
   /// What an element leaves to a particle that is looked at: room, for a time.
   struct Share {
     double room, time;

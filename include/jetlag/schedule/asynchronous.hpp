@@ -52,6 +52,7 @@ class Asynchronous final : public ClockSchedule {
   std::int64_t step_of(int particle) const override { return step_[particle]; }
 
   void expected_positions(std::int64_t now);
+  std::int64_t next_after(std::int64_t now) const;
   void notify_neighbours(std::int64_t now);
   bool choose_steps(std::int64_t now, Report& report);
 
