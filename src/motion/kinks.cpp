@@ -117,7 +117,7 @@ Kinks::Crossing Kinks::first_beyond(const Element& e, double h, double depth, co
       for (double middle = std::midpoint(before, after); before < middle && middle < after;
            middle = std::midpoint(before, after))
         (beyond(kink(e, middle, now)) ? after : before) = middle;
-      return {after, near_point};
+      return {after, is_point};
     }
     if (undecided || !(way.norm() > depth)) continue;
     side = way;

@@ -69,9 +69,9 @@ class Kinks {
     double h;      // [s]
     double curve;  // a bound of how far it leads from the straight line of the velocity now [m]
 
-    /// Whether it begins within a thousand depths of a kink that is a point, as where the ends of a spring meet. The
-    /// distance at which it is passed may be that small too, and then the force turns in no time: the step must not leave
-    /// the radius of convergence, whatever its length.
+    /// Whether it begins within a thousand depths of a kink that is a point, as where the ends of a spring meet, or has
+    /// been shortened there. The distance at which it is passed may be as small, and then the force turns in no time; and
+    /// near it orders of the series may be rounding. So no order of it may take over, whatever the length of the step.
     bool near_point = false;
   };
 
