@@ -81,6 +81,26 @@ inline void scatter_rows_of_three(int active, const double* const* f, const int*
 }
 #endif
 
+/// Component c of a register's worth of rows, assembled in the register: what goes through memory number by number is
+/// not yet there when it is loaded as a whole.
+template <std::size_t... lane>
+inline Register column(const double* from, const int* row, int c, std::index_sequence<lane...>) {
+  return Register{from[row[lane] + c]...};
+}
+
+/// Rows of one or two coordinates.
+template <int D>
+inline void gather_short_rows(int lanes, const double* from, const int* plus, const int* minus,
+                              double* const* to) {
+  constexpr auto all = std::make_index_sequence<register_width>();
+  for (int lane = 0; lane < lanes; lane += register_width)
+    for (int c = 0; c < D; ++c) {
+      Register x = column(from, plus + lane, c, all);
+      if (minus) x -= column(from, minus + lane, c, all);
+      store(to[c] + lane, x);
+    }
+}
+
 /// n registers of doubles with the arithmetic of one number.
 template <int n>
 struct Lanes {
@@ -99,6 +119,11 @@ struct Lanes {
   }
   static void store(double* to, const Lanes& x) {
     for (int i = 0; i < n; ++i) JETLAG_INSTRUCTION_SET_NAME::store(to + i * register_width, x.r[i]);
+  }
+  template <int D>
+  static void gather_short_rows(int lanes, const double* from, const int* plus, const int* minus,
+                                double* const* to) {
+    JETLAG_INSTRUCTION_SET_NAME::gather_short_rows<D>(lanes, from, plus, minus, to);
   }
 #if defined(__AVX2__)
   static void gather_rows_of_three(int lanes, const double* from, const int* plus, const int* minus,
@@ -333,7 +358,7 @@ inline One where(One c, One a, One b) { return c.x == 0 ? b : a; }
 inline One sign_of(One x) { return x.x > 0 ? One(1) : x.x < 0 ? One(-1) : One(x.x + 0.0); }
 inline One by_sign(One s, One a, One b) { return s.x > 0 ? b : s.x <= 0 ? a : s; }
 
-extern const KernelTable<double> of_one, of_16, table;
+extern const KernelTable<double> of_one, of_8, of_16, table;
 
 }  // namespace jetlag::JETLAG_INSTRUCTION_SET_NAME
 
@@ -348,6 +373,7 @@ namespace jetlag {
     using namespace JETLAG_INSTRUCTION_SET_NAME;                                                      \
     return each_register<n>([&](int i) { return fused(a.r[i], b.r[i], c.r[i]); });                    \
   }
+JETLAG_MULTIPLY_ADD(1)
 JETLAG_MULTIPLY_ADD(2)
 JETLAG_MULTIPLY_ADD(4)
 #undef JETLAG_MULTIPLY_ADD
@@ -361,6 +387,8 @@ inline JETLAG_INSTRUCTION_SET_NAME::One multiply_add(const JETLAG_INSTRUCTION_SE
   return JETLAG_INSTRUCTION_SET_NAME::One(a.x * b.x + c.x);
 #endif
 }
+template <>
+inline constexpr int partial_sums<JETLAG_INSTRUCTION_SET_NAME::Lanes<1>> = 2;
 template <>
 inline constexpr int partial_sums<JETLAG_INSTRUCTION_SET_NAME::Lanes<2>> = 2;
 template <>
@@ -379,8 +407,10 @@ namespace jetlag::JETLAG_INSTRUCTION_SET_NAME {
 #define JETLAG_STRING(x) JETLAG_STRING_(x)
 #define JETLAG_NAME JETLAG_STRING(JETLAG_INSTRUCTION_SET_NAME)
 constinit const KernelTable<double> of_one = detail::make_kernels<One, double, 1>(JETLAG_NAME, Rules{});
+constinit const KernelTable<double> of_8 =
+    detail::make_kernels<Lanes<1>, double, 8>(JETLAG_NAME, Rules{}, &of_one);
 constinit const KernelTable<double> of_16 =
-    detail::make_kernels<Lanes<2>, double, 16>(JETLAG_NAME, Rules{}, &of_one);
+    detail::make_kernels<Lanes<2>, double, 16>(JETLAG_NAME, Rules{}, &of_8);
 constinit const KernelTable<double> table =
     detail::make_kernels<Lanes<4>, double, 32>(JETLAG_NAME, Rules{}, &of_16);
 }  // namespace jetlag::JETLAG_INSTRUCTION_SET_NAME

@@ -175,6 +175,10 @@ void scatter_rows(int active, const T* const* f, const int* plus, const int* min
 /// Lane may bring its own way through rows of three coordinates, padded to four.
 template <class Lane, class T, int lanes>
 void gather(int dimension, const T* from, const int* plus, const int* minus, T* const* to) {
+  if constexpr (requires { Lane::template gather_short_rows<1>(lanes, from, plus, minus, to); }) {
+    if (dimension == 1) return Lane::template gather_short_rows<1>(lanes, from, plus, minus, to);
+    if (dimension == 2) return Lane::template gather_short_rows<2>(lanes, from, plus, minus, to);
+  }
   if (dimension == 1) return gather_rows<Lane, T, lanes, 1>(from, plus, minus, to);
   if (dimension == 2) return gather_rows<Lane, T, lanes, 2>(from, plus, minus, to);
   if constexpr (requires { Lane::gather_rows_of_three(lanes, from, plus, minus, to); })

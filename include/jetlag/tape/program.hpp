@@ -92,7 +92,8 @@ class Blocks {
  public:
   /// count: elements. parameters: shape (count, program.parameters), row by row.
   Blocks(Program program, std::size_t count, const std::vector<T>& parameters, const KernelTable<T>& table)
-      : program_(std::move(program)), table_(&table), count_(count) {
+      : program_(std::move(program)) {
+    set_count(count, table);
     if (parameters.size() != count * program_.parameters)
       throw std::invalid_argument("Blocks: as many parameters as the law has are needed for each element");
     statics_.resize(blocks() * program_.statics * lanes());
@@ -119,8 +120,7 @@ class Blocks {
   /// room for as many orders as before. What has been computed is lost; storage once made is kept for the next time.
   void take(const Blocks& all, std::span<const int> elements, const KernelTable<T>& table) {
     const bool other_lanes = table_ != &table;
-    table_ = &table;
-    count_ = elements.size();
+    set_count(elements.size(), table);
     if (other_lanes) choose_kernels();
     const std::size_t n = lanes(), from_lanes = all.lanes(), slots = program_.statics;
     const int shift = std::countr_zero(from_lanes);  // lanes are a power of two
@@ -147,7 +147,7 @@ class Blocks {
   const KernelTable<T>& table() const { return *table_; }
   int lanes() const { return table_->lanes; }
   std::size_t count() const { return count_; }
-  std::size_t blocks() const { return (count_ + lanes() - 1) / lanes(); }
+  std::size_t blocks() const { return blocks_; }
 
   /// Blocks run in chunks; different chunks may run at the same time.
   static constexpr std::size_t blocks_of_a_chunk = 64;
@@ -213,6 +213,12 @@ class Blocks {
  private:
   static constexpr std::size_t most_operands = detail::most_operands(Rules{});  // the result among them
 
+  void set_count(std::size_t count, const KernelTable<T>& table) {
+    table_ = &table;
+    count_ = count;
+    blocks_ = (count + table.lanes - 1) / table.lanes;
+  }
+
   void choose_kernels() {
     steps_.clear();
     operands_of_a_block_ = 0;
@@ -263,8 +269,8 @@ class Blocks {
   };
 
   Program program_;
-  const KernelTable<T>* table_;
-  std::size_t count_;
+  const KernelTable<T>* table_ = nullptr;
+  std::size_t count_ = 0, blocks_ = 0;
   int capacity_ = 0;
   std::vector<Step> steps_;
   std::vector<Operand<T>> operands_;  // [block][step][operand], for the present capacity
