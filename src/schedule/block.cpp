@@ -9,11 +9,28 @@
 
 namespace jetlag {
 
-/// All particles from a level on, ready to be expanded together; out of date once a particle crosses that level.
+/// All particles from a level on, ready to be expanded together; out of date once a particle crosses that level. Where
+/// they are few, some go back and forth between two levels: former choices are kept and found again.
 struct BlockSteps::Group {
-  explicit Group(PartialExpansion series) : expansion(std::move(series)) {}
-  PartialExpansion expansion;
+  static constexpr std::size_t few = 64, kept = 8;
+  std::vector<std::unique_ptr<PartialExpansion>> choices;  // the last used first
   bool is_current = false;
+
+  PartialExpansion& expansion() { return *choices.front(); }
+
+  void choose(const std::vector<int>& particles, LocalMotion& motion) {
+    is_current = true;
+    auto choice =
+        std::ranges::find_if(choices, [&](const auto& former) { return former->active() == particles; });
+    const bool found = choice != choices.end();
+    if (!found) {
+      if (choices.empty() || (choices.size() < kept && particles.size() + expansion().known().size() <= few))
+        choices.push_back(std::make_unique<PartialExpansion>(motion.group()));
+      choice = choices.end() - 1;
+    }
+    std::rotate(choices.begin(), choice, choice + 1);
+    if (!found) expansion().choose(particles, motion.places());
+  }
 };
 
 BlockSteps::BlockSteps(const System<double>& system, TruncationLaw law, const Options& options)
@@ -46,7 +63,7 @@ int BlockSteps::lowest_from(int level) const {
 
 BlockSteps::Group& BlockSteps::group_from(int level) {
   auto& group = groups_[level];
-  if (!group) group = std::make_unique<Group>(motion_->group());
+  if (!group) group = std::make_unique<Group>();
   if (!group->is_current) {
     const auto& moving = motion_->moving();
     std::size_t count = 0;
@@ -60,8 +77,7 @@ BlockSteps::Group& BlockSteps::group_from(int level) {
         chosen_.insert(chosen_.end(), of_level_[l].begin(), of_level_[l].end());
       std::ranges::sort(chosen_);
     }
-    group->expansion.choose(chosen_, motion_->places());
-    group->is_current = true;
+    group->choose(chosen_, *motion_);
   }
   return *group;
 }
@@ -71,10 +87,10 @@ bool BlockSteps::update(Report& report) {
   const int level = lowest_from(Ticks::coarsest(now));
   const bool all = level == lowest_from(0);
   Group* group = all ? nullptr : &group_from(level);
-  motion_->remember(all ? std::vector<int>() : group->expansion.active());
-  if (!(all ? motion_->update_all(now, report) : motion_->update(group->expansion, now, report)))
+  motion_->remember(all ? std::span<const int>() : group->expansion().active());
+  if (!(all ? motion_->update_all(now, report) : motion_->update(group->expansion(), now, report)))
     return false;
-  updated_ = all ? &motion_->moving() : &group->expansion.active();
+  updated_ = all ? &motion_->moving() : &group->expansion().active();
   if (!choose_levels(*updated_, now, report)) return false;
   wake_neighbours(now);
   begun_ = true;
@@ -122,17 +138,18 @@ bool BlockSteps::choose_levels(const std::vector<int>& updated, std::int64_t now
 /// Raises levels until no neighbour is more than `grading` finer: the same levels in whatever order particles come.
 void BlockSteps::limit_differences(const std::vector<int>& updated) {
   raised_.clear();
-  const auto raise = [&](int i) {
-    int least = level_[i];
-    for (int n : motion_->graph().neighbours(i)) least = std::max(least, level_[n] - grading_);
-    if (least == level_[i]) return;
-    level_[i] = least;
+  const Neighbourhoods& graph = motion_->graph();
+  const auto raise = [&graph, this, level = level_.data(), grading = grading_](int i) {
+    int least = level[i];
+    for (int n : graph.neighbours(i)) least = std::max(least, level[n] - grading);
+    if (least == level[i]) return;
+    level[i] = least;
     raised_.push_back(i);
   };
   for (int i : updated) raise(i);
   // Whoever was raised may ask the same of its neighbours, as far as they are updated now.
   for (std::size_t r = 0; r < raised_.size(); ++r)
-    for (int n : motion_->graph().neighbours(raised_[r]))
+    for (int n : graph.neighbours(raised_[r]))
       if (motion_->begin_of(n) == now_) raise(n);
 }
 

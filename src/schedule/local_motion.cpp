@@ -276,7 +276,7 @@ void LocalMotion::shorten_late(Count now, std::vector<Kinks::Step>& shortened) {
   for (Kinks::Step& step : shortened) step.h = std::max(step.h, least);
 }
 
-void LocalMotion::remember(const std::vector<int>& particles) {
+void LocalMotion::remember(std::span<const int> particles) {
   former_.clear();
   former_begin_.clear();
   former_degree_.clear();

@@ -66,7 +66,7 @@ class LocalMotion {
   }
 
   /// Keeps the series of those particles of a group that may cross a kink before their update.
-  void remember(const std::vector<int>& particles);
+  void remember(std::span<const int> particles);
   const std::vector<int>& former() const { return former_; }
   /// Whether the motion of the k-th of them is at a tick where its former series was to lead it: to the tolerance, and to
   /// what that series errs by beyond the step h that it asked for, in time s from its beginning: (0.7 s / h)^N tolerances.
