@@ -10,26 +10,40 @@
 namespace jetlag {
 
 /// All particles from a level on, ready to be expanded together; out of date once a particle crosses that level. Where
-/// they are few, some go back and forth between two levels: former choices are kept and found again.
+/// they are few, some go back and forth between two levels: the last of such choices are kept and found again.
 struct BlockSteps::Group {
   static constexpr std::size_t few = 64, kept = 8;
-  std::vector<std::unique_ptr<PartialExpansion>> choices;  // the last used first
+  std::vector<std::unique_ptr<PartialExpansion>> choices;  // the last used first; of many particles only that
   bool is_current = false;
 
   PartialExpansion& expansion() { return *choices.front(); }
 
+  static bool is_large(const PartialExpansion& choice) {
+    return choice.active().size() + choice.known().size() > few;
+  }
+
   void choose(const std::vector<int>& particles, LocalMotion& motion) {
-    is_current = true;
-    auto choice =
+    const auto found =
         std::ranges::find_if(choices, [&](const auto& former) { return former->active() == particles; });
-    const bool found = choice != choices.end();
-    if (!found) {
-      if (choices.empty() || (choices.size() < kept && particles.size() + expansion().known().size() <= few))
-        choices.push_back(std::make_unique<PartialExpansion>(motion.group()));
-      choice = choices.end() - 1;
+    if (found != choices.end())
+      std::rotate(choices.begin(), found, found + 1);
+    else
+      add(particles, motion);
+    is_current = true;
+  }
+
+ private:
+  void add(const std::vector<int>& particles, LocalMotion& motion) {
+    std::unique_ptr<PartialExpansion> choice;
+    if (!choices.empty() && (choices.size() == kept || is_large(expansion()))) {
+      choice = std::move(choices.back());
+      choices.pop_back();
+    } else {
+      choice = std::make_unique<PartialExpansion>(motion.group());
     }
-    std::rotate(choices.begin(), choice, choice + 1);
-    if (!found) expansion().choose(particles, motion.places());
+    choice->choose(particles, motion.places());
+    if (is_large(*choice)) choices.clear();
+    choices.insert(choices.begin(), std::move(choice));
   }
 };
 

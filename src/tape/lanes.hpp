@@ -364,7 +364,7 @@ extern const KernelTable<double> of_one, of_8, of_16, table;
 
 namespace jetlag {
 /// a b + c in one rounding where the instruction set has it. Narrow blocks spread a sum over several partial sums: the
-/// latency of a fused multiply-add is hidden by eight of them in flight.
+/// latency of a fused multiply-add is hidden by others in flight, up to eight of them.
 #define JETLAG_MULTIPLY_ADD(n)                                                                        \
   template <>                                                                                         \
   inline JETLAG_INSTRUCTION_SET_NAME::Lanes<n> multiply_add(                                          \

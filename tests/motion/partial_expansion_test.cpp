@@ -156,6 +156,31 @@ TEST(PartialExpansion, ForgetsTheGroupBefore) {
       for (int c = 0; c < 3; ++c) EXPECT_EQ(used.active_row(k, a)[c], fresh.active_row(k, a)[c]);
 }
 
+TEST(PartialExpansion, IsChosenOnceAndFilledAgain) {
+  // With other groups chosen in between in other places, and with other series before: what is left of them is nothing.
+  Pair pair(40, 8), before(40, 8);
+  before.scene.start.position.array() *= 1.5;
+  before.whole.start(before.scene.start);
+  before.whole.grow_to(8);
+  const auto grow = [](PartialExpansion& group, Pair& from) {
+    from.fill(group, 8);
+    group.grow_to(8, from.scene.start.time);
+  };
+  PartialExpansion kept(pair.graph, 8), other(pair.graph, 8), fresh(pair.graph, 8);
+  kept.choose(every(1, 10, 13), pair.places);  // 8 lanes
+  grow(kept, before);
+  for (const auto& chosen : {every(1, 0, 40), every(1, 10, 11), every(2, 5, 12)}) {  // 32, 8 and 16
+    other.choose(chosen, pair.places);
+    grow(other, before);
+  }
+  fresh.choose(every(1, 10, 13), pair.places);
+  grow(kept, pair);
+  grow(fresh, pair);
+  for (int k = 0; k <= 8; ++k)
+    for (std::size_t a = 0; a < fresh.active().size(); ++a)
+      for (int c = 0; c < 3; ++c) EXPECT_EQ(kept.active_row(k, a)[c], fresh.active_row(k, a)[c]);
+}
+
 TEST(PartialExpansion, ShiftsWhatIsKnownToThePresent) {
   // (1 + t)^n about s is sum_k C(n, k) (1 + s)^(n-k) t^k. All terms are positive for s > 0: n + k roundings each.
   constexpr int order = 10;

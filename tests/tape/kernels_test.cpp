@@ -178,11 +178,74 @@ TEST(Kernels,
   }
 }
 
+/// Elements between rows of one to three coordinates; rows of three are padded to four.
+struct Rows {
+  static constexpr int particles = 11, widest = 32;
+  int dimension, stride;
+  AlignedVector<double> of_particles, of_elements;  // shape (particles, stride); (dimension, widest)
+  std::array<int, widest> plus, minus;
+
+  explicit Rows(int d)
+      : dimension(d), stride(d == 3 ? 4 : d), of_particles(particles * stride), of_elements(d * widest) {
+    Uniform draw(5);
+    for (int i = 0; i < particles; ++i)
+      for (int c = 0; c < d; ++c) of_particles[i * stride + c] = draw(-1, 1);
+    for (double& x : of_elements) x = draw(-1, 1);
+    for (int lane = 0; lane < widest; ++lane) {  // neighbouring lanes share particles
+      plus[lane] = lane % particles * stride;
+      minus[lane] = (lane + 1 + lane / 5) % particles * stride;
+    }
+  }
+};
+
+TEST(Kernels, GatherTheRowsOfEachLane) {
+  for (const auto* table : tables_of_all_widths())
+    for (int d : {1, 2, 3})
+      for (bool differences : {false, true}) {
+        SCOPED_TRACE(name(*table) + ", " + std::to_string(d));
+        Rows rows(d);
+        std::array<double*, 3> to{};
+        for (int c = 0; c < d; ++c) to[c] = &rows.of_elements[c * Rows::widest];
+        table->gather(d, rows.of_particles.data(), rows.plus.data(),
+                      differences ? rows.minus.data() : nullptr, to.data());
+        for (int lane = 0; lane < table->lanes; ++lane)
+          for (int c = 0; c < d; ++c) {
+            const double own = rows.of_particles[rows.plus[lane] + c],
+                         other = rows.of_particles[rows.minus[lane] + c];
+            EXPECT_EQ(to[c][lane], differences ? own - other : own) << lane;
+          }
+      }
+}
+
+TEST(Kernels, ScatterOntoRowsLaneByLane) {  // one after another: the bits of a sum depend on its order
+  for (const auto* table : tables_of_all_widths())
+    for (int d : {1, 2, 3})
+      for (bool differences : {false, true})
+        for (int active = 1; active <= table->lanes; ++active) {
+          SCOPED_TRACE(name(*table) + ", " + std::to_string(d) + ", " + std::to_string(active));
+          Rows rows(d);
+          std::array<const double*, 3> from{};
+          for (int c = 0; c < d; ++c) from[c] = &rows.of_elements[c * Rows::widest];
+          auto expected = rows.of_particles;
+          for (int lane = 0; lane < active; ++lane)
+            for (int c = 0; c < d; ++c) {
+              expected[rows.plus[lane] + c] += from[c][lane];
+              if (differences) expected[rows.minus[lane] + c] -= from[c][lane];
+            }
+          table->scatter(d, active, from.data(), rows.plus.data(), differences ? rows.minus.data() : nullptr,
+                         rows.of_particles.data());
+          EXPECT_EQ(rows.of_particles, expected);
+        }
+}
+
 TEST(Kernels, FitTheNumberOfElements) {
   for (const auto* widest : available_kernels()) {
     SCOPED_TRACE(widest->instruction_set);
     EXPECT_EQ(&widest->fitting(100000), widest);
     EXPECT_EQ(widest->fitting(1).lanes, 1);
+    if (widest != &scalar_kernels<double>()) {
+      EXPECT_EQ(widest->fitting(8).lanes, 8);
+    }
     for (std::size_t n : {1, 2, 8, 15, 16, 17, 33}) {  // no other width costs less
       const auto cost = [n](const KernelTable<double>& table) {
         return (n + table.lanes - 1) / table.lanes * (table.lanes + 20);

@@ -172,7 +172,7 @@ void scatter_rows(int active, const T* const* f, const int* plus, const int* min
   }
 }
 
-/// Lane may bring its own way through rows of three coordinates, padded to four.
+/// Lane may bring ways of its own: to gather rows of one and two coordinates, and through rows of three, padded to four.
 template <class Lane, class T, int lanes>
 void gather(int dimension, const T* from, const int* plus, const int* minus, T* const* to) {
   if constexpr (requires { Lane::template gather_short_rows<1>(lanes, from, plus, minus, to); }) {
