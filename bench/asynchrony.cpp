@@ -3,7 +3,8 @@
 // state with the same step rule, and the error of both; and what an event costs in the queue.
 //
 //   BM_Asynchrony/<scene>/<degree>   lockstep_over_block: time, one thread; elements_over: element coefficients;
-//                                    error_over: error of block steps over that of lockstep
+//                                    error_over: error of block steps over that of lockstep; at_equal_error: time, with
+//                                    the coarsest tolerance of lockstep, 10^(-1/4) apart, that is as accurate as block
 //   BM_AgainstLeapfrog/<digits>      the stiff patch to an error of 10^-digits m: leapfrog_over_block: time, each with the
 //                                    coarsest of its settings that is as accurate: steps of leapfrog 2^(-1/4) apart,
 //                                    tolerances 10^(-1/4) apart for degrees 4, 6, 8, 10; and the errors of both
@@ -78,36 +79,6 @@ Measured measured(const Uneven& scene, const Make& make) {
   return result;
 }
 
-void asynchrony(benchmark::State& run, Uneven (*make)(), int degree, double tolerance) {
-  const Uneven scene = make();
-  const auto lockstep = [&] {
-    return Lockstep(taylor(scene.system, degree, std::make_unique<LastTwo>(tolerance, scene.max_step)));
-  };
-  const auto block = [&] {
-    BlockSteps::Options options;
-    options.tolerance = tolerance;
-    options.max_step = scene.max_step;
-    return BlockSteps(scene.system, degree, options);
-  };
-  const Measured truth = measured(scene, [&] {
-    return Lockstep(taylor(scene.system, 20, std::make_unique<FixedStep>(scene.exact_step)));
-  });
-  const auto error = [&](const Measured& m) {
-    return (m.end.position - truth.end.position).cwiseAbs().maxCoeff();
-  };
-  double one_clock = std::numeric_limits<double>::infinity(), many = one_clock;
-  for (auto _ : run) {
-    const Measured a = measured(scene, lockstep), b = measured(scene, block);
-    one_clock = std::min(one_clock, a.seconds);
-    many = std::min(many, b.seconds);
-    run.counters["elements_over"] =
-        static_cast<double>(a.element_coefficients) / static_cast<double>(b.element_coefficients);
-    run.counters["error_lockstep"] = error(a);
-    run.counters["error_over"] = error(b) / error(a);
-  }
-  run.counters["lockstep_over_block"] = one_clock / many;
-}
-
 double largest_error(const State<double>& a, const State<double>& b) {
   const double error = (a.position - b.position).cwiseAbs().maxCoeff();
   return std::isfinite(error) ? error : std::numeric_limits<double>::infinity();
@@ -118,6 +89,42 @@ template <class Make>
 double first_accurate(const Uneven& scene, const State<double>& truth, double target, const Make& make) {
   for (int setting = 0;; ++setting)
     if (largest_error(measured(scene, [&] { return make(setting); }).end, truth) <= target) return setting;
+}
+
+void asynchrony(benchmark::State& run, Uneven (*make)(), int degree, double tolerance) {
+  const Uneven scene = make();
+  const auto lockstep_to = [&](double tolerated) {
+    return Lockstep(taylor(scene.system, degree, std::make_unique<LastTwo>(tolerated, scene.max_step)));
+  };
+  const auto lockstep = [&] { return lockstep_to(tolerance); };
+  const auto block = [&] {
+    BlockSteps::Options options;
+    options.tolerance = tolerance;
+    options.max_step = scene.max_step;
+    return BlockSteps(scene.system, degree, options);
+  };
+  const Measured truth = measured(scene, [&] {
+    return Lockstep(taylor(scene.system, 20, std::make_unique<FixedStep>(scene.exact_step)));
+  });
+  const auto error = [&](const Measured& m) { return largest_error(m.end, truth.end); };
+  const auto coarser = [&](int setting) {
+    return lockstep_to(tolerance * std::pow(10.0, 2 - 0.25 * setting));
+  };
+  const int as_accurate = first_accurate(scene, truth.end, error(measured(scene, block)), coarser);
+  double one_clock = std::numeric_limits<double>::infinity(), many = one_clock, equal = one_clock;
+  for (auto _ : run) {
+    const Measured a = measured(scene, lockstep), b = measured(scene, block),
+                   c = measured(scene, [&] { return coarser(as_accurate); });
+    one_clock = std::min(one_clock, a.seconds);
+    many = std::min(many, b.seconds);
+    equal = std::min(equal, c.seconds);
+    run.counters["elements_over"] =
+        static_cast<double>(a.element_coefficients) / static_cast<double>(b.element_coefficients);
+    run.counters["error_lockstep"] = error(a);
+    run.counters["error_over"] = error(b) / error(a);
+  }
+  run.counters["lockstep_over_block"] = one_clock / many;
+  run.counters["at_equal_error"] = equal / many;
 }
 
 void against_leapfrog(benchmark::State& run, int digits) {
