@@ -47,7 +47,7 @@ function(read_comments content symbol top_name docstring_name found_name)
 endfunction()
 
 set(generated "// Made by .cmake/method_docs.cmake from the headers that the register of pages names.
-#include \"scenes/methods.hpp\"
+#include \"scenes/methods/methods.hpp\"
 
 namespace jetlag {
 

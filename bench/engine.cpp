@@ -11,7 +11,7 @@
 
 #include "benchmarks.hpp"
 #include "jetlag/control/jorba_zou.hpp"
-#include "jetlag/integrators/ensemble.hpp"
+#include "jetlag/ensembles/ensemble.hpp"
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/motion/expansion.hpp"
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 
-#include "jetlag/motion/system.hpp"
+#include "jetlag/model/system.hpp"
 
 namespace jetlag::bench {
 

@@ -8,7 +8,7 @@
 
 #include "benchmarks.hpp"
 #include "jetlag/control/fixed_step.hpp"
-#include "jetlag/integrators/leapfrog.hpp"
+#include "jetlag/integrators/explicit/leapfrog.hpp"
 #include "jetlag/integrators/taylor.hpp"
 
 namespace jetlag::bench {

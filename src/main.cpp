@@ -12,8 +12,8 @@
 
 #include "jetlag/control/courant.hpp"
 #include "jetlag/motion/expansion.hpp"
+#include "jetlag/runs/run_scene.hpp"
 #include "jetlag/scenes/error.hpp"
-#include "jetlag/scenes/run_scene.hpp"
 #include "jetlag/scenes/scene.hpp"
 #include "jetlag/version.hpp"
 #include "studies/command_line.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 // The list of all functions of jets, each with the points at which its accuracy is measured.
 //
-// The table of bench/accuracy/table.md has a row for each, the test tests/series/accuracy_test.cpp holds each to its
+// The table of bench/accuracy/table.md has a row for each, the test tests/series/functions/accuracy_test.cpp holds each to its
 // limit. A new function gets a line in functions.cpp; the test says which rules of the register have none.
 
 #include <array>

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "accuracy/functions.hpp"
-#include "jetlag/series/composition.hpp"
+#include "jetlag/series/calculus/composition.hpp"
 #include "jetlag/series/elementary.hpp"
 
 namespace jetlag::accuracy {

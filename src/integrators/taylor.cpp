@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "jetlag/base/error_free.hpp"
 #include "jetlag/control/last_two.hpp"
-#include "jetlag/series/error_free.hpp"
 
 namespace jetlag {
 

@@ -6,8 +6,8 @@
 #include <limits>
 #include <optional>
 
-#include "jetlag/motion/clock.hpp"
-#include "jetlag/series/roots.hpp"
+#include "jetlag/base/rounded_time.hpp"
+#include "jetlag/series/calculus/roots.hpp"
 
 namespace jetlag {
 

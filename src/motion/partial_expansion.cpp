@@ -20,7 +20,7 @@ namespace {
 /// Eight numbers side by side, whatever the instruction set.
 using Eight [[gnu::vector_size(64)]] = double;
 
-/// Passes first .. first + passes - 1 of taylor_shift (series/polynomial.hpp),
+/// Passes first .. first + passes - 1 of taylor_shift (series/calculus/polynomial.hpp),
 ///
 ///     pass p:   c_{k-1} += s c_k,   k = order .. p + 1,
 ///

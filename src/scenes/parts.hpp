@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "jetlag/integrators/implicit_subcycling.hpp"
+#include "jetlag/integrators/implicit/implicit_subcycling.hpp"
 #include "jetlag/scenes/mesh.hpp"
 #include "jetlag/scenes/scene.hpp"
 #include "jetlag/truncation/draws.hpp"

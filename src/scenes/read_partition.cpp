@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Particles that a method treats in another way than the rest: "coarse", "implicit".
 #include "jetlag/control/courant.hpp"
-#include "jetlag/integrators/explicit_implicit.hpp"
+#include "jetlag/integrators/implicit/explicit_implicit.hpp"
 #include "scenes/parts.hpp"
 
 namespace jetlag {

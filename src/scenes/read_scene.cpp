@@ -7,8 +7,8 @@
 #include <iterator>
 
 #include "jetlag/forces/forces.hpp"
-#include "jetlag/motion/element_blocks.hpp"
-#include "jetlag/motion/energy.hpp"
+#include "jetlag/model/element_blocks.hpp"
+#include "jetlag/model/energy.hpp"
 #include "jetlag/scenes/error.hpp"
 #include "scenes/parts.hpp"
 

@@ -8,8 +8,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "jetlag/motion/clock.hpp"
-#include "jetlag/series/roots.hpp"
+#include "jetlag/base/rounded_time.hpp"
+#include "jetlag/series/calculus/roots.hpp"
 
 namespace jetlag {
 

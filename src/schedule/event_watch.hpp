@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "jetlag/motion/outcome.hpp"
+#include "jetlag/base/outcome.hpp"
 #include "jetlag/schedule/schedule.hpp"
 
 namespace jetlag {

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "jetlag/motion/element_blocks.hpp"
+#include "jetlag/model/element_blocks.hpp"
 
 namespace jetlag {
 

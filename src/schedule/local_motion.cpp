@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "jetlag/control/courant.hpp"
-#include "jetlag/series/polynomial.hpp"
+#include "jetlag/series/calculus/polynomial.hpp"
 #include "jetlag/truncation/draws.hpp"
 
 namespace jetlag {

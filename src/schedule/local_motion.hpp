@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "jetlag/control/last_two.hpp"
+#include "jetlag/model/kinks.hpp"
 #include "jetlag/motion/expansion.hpp"
-#include "jetlag/motion/kinks.hpp"
 #include "jetlag/motion/partial_expansion.hpp"
 #include "jetlag/motion/piece.hpp"
 #include "jetlag/schedule/clocks.hpp"

@@ -14,7 +14,7 @@
 #include <memory>
 #include <vector>
 
-#include "jetlag/motion/neighbourhoods.hpp"
+#include "jetlag/model/neighbourhoods.hpp"
 
 namespace jetlag {
 

@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "jetlag/motion/energy.hpp"
+#include "jetlag/model/energy.hpp"
 #include "jetlag/schedule/avi.hpp"
 #include "studies/ten_masses.hpp"
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <thread>
 
-#include "jetlag/scenes/run_ensemble.hpp"
+#include "jetlag/runs/run_ensemble.hpp"
 #include "jetlag/tape/kernels.hpp"
 #include "studies/command_line.hpp"
 

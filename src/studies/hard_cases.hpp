@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "jetlag/motion/system.hpp"
+#include "jetlag/model/system.hpp"
 #include "jetlag/scenes/scene.hpp"
 #include "studies/studies.hpp"
 

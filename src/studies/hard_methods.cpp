@@ -10,7 +10,7 @@
 #include <limits>
 #include <memory>
 
-#include "jetlag/motion/energy.hpp"
+#include "jetlag/model/energy.hpp"
 #include "jetlag/output/files.hpp"
 #include "jetlag/scenes/error.hpp"
 #include "scenes/parts.hpp"

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "jetlag/motion/system.hpp"
+#include "jetlag/model/system.hpp"
 
 namespace jetlag {
 

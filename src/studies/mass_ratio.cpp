@@ -12,7 +12,7 @@
 
 #include "jetlag/control/last_two.hpp"
 #include "jetlag/integrators/taylor.hpp"
-#include "jetlag/motion/energy.hpp"
+#include "jetlag/model/energy.hpp"
 #include "jetlag/schedule/asynchronous.hpp"
 #include "jetlag/schedule/block.hpp"
 #include "jetlag/schedule/lockstep.hpp"

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "jetlag/output/files.hpp"
-#include "scenes/methods.hpp"
+#include "scenes/methods/methods.hpp"
 
 namespace jetlag {
 

@@ -9,12 +9,12 @@
 #include <filesystem>
 
 #include "jetlag/output/files.hpp"
-#include "jetlag/output/pictures.hpp"
+#include "jetlag/pictures/pictures.hpp"
+#include "jetlag/runs/run_scene.hpp"
 #include "jetlag/scenes/error.hpp"
-#include "jetlag/scenes/run_scene.hpp"
-#include "output/film.hpp"
-#include "output/gnuplot.hpp"
-#include "output/support.hpp"
+#include "pictures/film.hpp"
+#include "pictures/gnuplot.hpp"
+#include "pictures/support.hpp"
 #include "scenes/reader.hpp"
 #include "studies/struck_body.hpp"
 

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "jetlag/output/files.hpp"
-#include "jetlag/scenes/run_scene.hpp"
+#include "jetlag/runs/run_scene.hpp"
 #include "studies/struck_body.hpp"
 
 namespace jetlag {

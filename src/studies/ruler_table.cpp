@@ -12,7 +12,7 @@
 #include "jetlag/control/fixed_step.hpp"
 #include "jetlag/forces/gravity.hpp"
 #include "jetlag/integrators/taylor.hpp"
-#include "jetlag/motion/energy.hpp"
+#include "jetlag/model/energy.hpp"
 #include "jetlag/output/files.hpp"
 #include "jetlag/scenes/error.hpp"
 

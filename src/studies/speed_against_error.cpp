@@ -11,9 +11,9 @@
 #include <limits>
 #include <stdexcept>
 
-#include "jetlag/motion/energy.hpp"
+#include "jetlag/model/energy.hpp"
 #include "jetlag/output/files.hpp"
-#include "jetlag/output/pictures.hpp"
+#include "jetlag/pictures/pictures.hpp"
 #include "jetlag/scenes/error.hpp"
 #include "scenes/parts.hpp"
 #include "studies/competitors.hpp"

@@ -15,8 +15,8 @@
 #include "jetlag/scenes/error.hpp"
 #include "jetlag/truncation/poisson.hpp"
 #include "jetlag/truncation/stability.hpp"
-#include "output/colours.hpp"
-#include "output/gnuplot.hpp"
+#include "pictures/colours.hpp"
+#include "pictures/gnuplot.hpp"
 
 namespace jetlag {
 

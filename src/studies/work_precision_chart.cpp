@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "jetlag/output/files.hpp"
-#include "output/colours.hpp"
-#include "output/gnuplot.hpp"
+#include "pictures/colours.hpp"
+#include "pictures/gnuplot.hpp"
 
 namespace jetlag {
 

@@ -323,7 +323,7 @@ inline L atan2(const L& a, const L& b) {
   return each_lane(a, b, ::atan2);
 }
 
-// Choices (series/conditions.hpp, series/sign.hpp): each lane by its own number.
+// Choices (series/conditions.hpp, series/functions/sign.hpp): each lane by its own number.
 template <int n>
 inline Lanes<n> less(const Lanes<n>& a, const Lanes<n>& b) {
   return each_register<n>([&](int i) { return a.r[i] < b.r[i] ? broadcast(1) : broadcast(0); });

@@ -11,7 +11,7 @@
 
 #include "jetlag/control/fixed_step.hpp"
 #include "jetlag/integrators/taylor.hpp"
-#include "jetlag/motion/energy.hpp"
+#include "jetlag/model/energy.hpp"
 #include "jetlag/schedule/lockstep.hpp"
 
 namespace jetlag::testing {

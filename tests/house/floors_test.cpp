@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A folder of the house includes its own and lower floors only.
+// A room of the house includes what the list of rooms allows, and nothing else.
 #include <gmock/gmock.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <map>
-#include <optional>
+#include <set>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -17,18 +16,50 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::map<std::string, int> floor_of_folder = {
-    {"series", 0},                       //
-    {"tape", 1},        {"forces", 1},   //
-    {"motion", 2},                       //
-    {"truncation", 3},  {"control", 3},  //
-    {"integrators", 4},                  //
-    {"schedule", 5},                     //
-    {"scenes", 6},      {"output", 6},   //
-    {"studies", 7},
+/// Which rooms the headers and sources of a room may include: public headers (include/jetlag/ROOM), and the private ones
+/// (src/ROOM) of those in `inner`. A room may only name rooms above it in this list, so that no arrow runs in a circle.
+struct Room {
+  std::string name;
+  std::set<std::string> may_include, inner = {};
 };
-constexpr int roof = 7;     // the program
-constexpr int outside = 8;  // the umbrella header: includes anything, is included by nobody in the house
+
+const std::vector<Room> house = {
+    {"base", {}},
+    {"series", {"base"}},
+    {"tape", {"base", "series"}},
+    {"forces", {"tape"}},
+    {"model", {"base", "series", "tape", "forces"}},
+    {"motion", {"base", "series", "tape", "model"}},
+    {"truncation", {"base"}},
+    {"control", {"base", "forces", "model", "motion", "truncation"}},
+    {"integrators",
+     {"base", "series", "model", "motion", "truncation", "control"},
+     {"base", "model", "truncation"}},
+    {"ensembles",
+     {"base", "tape", "model", "motion", "truncation", "control", "integrators"},
+     {"base", "truncation"}},
+    {"schedule", {"base", "series", "tape", "model", "motion", "truncation", "control", "integrators"}},
+    {"output", {"base", "model", "motion", "schedule"}},
+    {"pictures", {"base", "model", "output"}},
+    {"scenes",
+     {"base", "forces", "model", "motion", "truncation", "control", "integrators", "ensembles", "schedule",
+      "output"}},
+    {"runs",
+     {"base", "tape", "model", "motion", "truncation", "control", "integrators", "ensembles", "schedule",
+      "output", "pictures", "scenes"},
+     {"base"}},
+    {"studies",
+     {"base", "tape", "forces", "model", "motion", "truncation", "control", "integrators", "ensembles",
+      "schedule", "output", "pictures", "scenes", "runs"},
+     {"pictures", "scenes"}},
+    // The program, and the umbrella header, which nobody in the house includes.
+    {"src/main.cpp",
+     {"base", "motion", "model", "control", "scenes", "runs", "studies"},
+     {"scenes", "studies"}},
+    {"include/jetlag/jetlag.hpp",
+     {"base", "series", "tape", "forces", "model", "motion", "truncation", "control", "integrators",
+      "ensembles", "schedule"}},
+};
 
 std::string contents(const fs::path& file) {
   std::ostringstream text;
@@ -45,18 +76,27 @@ std::vector<fs::path> sources_in(const fs::path& folder) {
   return found;
 }
 
-/// The floor of a file of the house at `root`; nothing when it stands in no known folder.
-std::optional<int> floor_of(const fs::path& root, const fs::path& file) {
+const Room* room_called(const std::string& name) {
+  const auto found = std::ranges::find(house, name, &Room::name);
+  return found == house.end() ? nullptr : &*found;
+}
+
+struct Place {
+  const Room* room;
+  bool is_public;
+};
+
+/// Where a file of the house at `root` stands; no room when it is in no known folder.
+Place place_of(const fs::path& root, const fs::path& file) {
   const std::string path = fs::relative(file, root).generic_string();
-  if (path == "src/main.cpp") return roof;
-  if (path == "include/jetlag/jetlag.hpp") return outside;
-  const auto below = [&](std::string_view prefix) { return path.starts_with(prefix) ? prefix.size() : 0; };
-  const auto start = std::max(below("include/jetlag/"), below("src/"));
-  const auto end = path.find('/', start);
-  if (start == 0 || end == std::string::npos) return {};
-  const auto found = floor_of_folder.find(path.substr(start, end - start));
-  if (found == floor_of_folder.end()) return {};
-  return found->second;
+  if (const Room* itself = room_called(path)) return {itself, false};
+  for (const std::string part : {"include/jetlag/", "src/"}) {
+    if (!path.starts_with(part)) continue;
+    const auto end = path.find('/', part.size());
+    if (end == std::string::npos) return {nullptr, false};
+    return {room_called(path.substr(part.size(), end - part.size())), part != "src/"};
+  }
+  return {nullptr, false};
 }
 
 struct Include {
@@ -78,8 +118,8 @@ std::optional<Include> included_by(std::string_view line) {
   return Include{std::string(line.substr(0, line.find(quoted ? '"' : '>'))), quoted};
 }
 
-/// What is wrong with one #include line of `file`; empty when nothing is.
-std::string wrong_with_include(const fs::path& root, const fs::path& file, int floor,
+/// What is wrong with one #include line of `file`, which stands in `room`; empty when nothing is.
+std::string wrong_with_include(const fs::path& root, const fs::path& file, const Room& room,
                                const Include& include) {
   const auto& [name, quoted] = include;
   if (name == "jetlag/version.hpp") return {};  // generated, stands on the ground
@@ -87,10 +127,12 @@ std::string wrong_with_include(const fs::path& root, const fs::path& file, int f
   if (quoted) places.insert(places.begin(), file.parent_path() / name);
   const auto target = std::ranges::find_if(places, [](const auto& p) { return fs::is_regular_file(p); });
   if (target == places.end()) return quoted || name.starts_with("jetlag/") ? "there is no such file" : "";
-  const auto its_floor = floor_of(root, fs::weakly_canonical(*target));
-  if (!its_floor) return "stands in no known folder";
-  if (*its_floor > floor)
-    return "points up, from floor " + std::to_string(floor) + " to " + std::to_string(*its_floor);
+  const Place place = place_of(root, fs::weakly_canonical(*target));
+  if (place.room == nullptr) return "stands in no known folder";
+  const std::string& there = place.room->name;
+  if (there == room.name) return {};
+  if (!(place.is_public ? room.may_include : room.inner).contains(there))
+    return room.name + " may not include " + (place.is_public ? "" : "private headers of ") + there;
   return {};
 }
 
@@ -112,16 +154,16 @@ std::vector<std::string> offences(const fs::path& unresolved_root) {
       if (!text.starts_with("// SPDX-License-Identifier: MIT\n")) report("does not start with the SPDX line");
       if (extension == ".hpp" && text.find("\n#pragma once\n") == std::string::npos)
         report("has no #pragma once");
-      const auto floor = floor_of(root, file);
-      if (!floor) {
+      const Room* room = place_of(root, file).room;
+      if (room == nullptr) {
         report("stands in no known folder");
         continue;
       }
       std::istringstream lines(text);
       for (std::string line; std::getline(lines, line);) {
         const auto include = included_by(line);
-        const std::string wrong = include ? wrong_with_include(root, file, *floor, *include) : "";
-        if (!wrong.empty()) report("#include " + include->name + " " + wrong);
+        const std::string wrong = include ? wrong_with_include(root, file, *room, *include) : "";
+        if (!wrong.empty()) report("#include " + include->name + ": " + wrong);
       }
     }
   }
@@ -134,8 +176,8 @@ class SmallHouse : public testing::Test {
   SmallHouse() {
     fs::remove_all(root);
     fs::create_directories(root / "src");
-    header("series/exp", "");
-    header("motion/system", "#include \"jetlag/series/exp.hpp\"\n#include <vector>\n");
+    header("series/functions/exp", "");
+    header("model/system", "#include \"jetlag/series/functions/exp.hpp\"\n#include <vector>\n");
   }
   ~SmallHouse() override { fs::remove_all(root); }
 
@@ -158,40 +200,66 @@ using testing::IsEmpty;
 
 TEST(House, KeepsItsRules) { EXPECT_THAT(offences(JETLAG_SOURCE_DIR), IsEmpty()); }
 
-TEST_F(SmallHouse, MayIncludeItsOwnAndLowerFloors) {
-  header("jetlag", "#include \"jetlag/motion/system.hpp\"\n");
-  header("motion/piece", "#include <jetlag/motion/system.hpp>\n#include \"jetlag/version.hpp\"\n");
-  source("main", "#include \"jetlag/motion/system.hpp\"\n#include \"studies/body.hpp\"\n");
+TEST(House, HasNoArrowsInACircle) {
+  std::set<std::string> above;
+  for (const Room& room : house) {
+    for (const auto* names : {&room.may_include, &room.inner})
+      for (const std::string& name : *names)
+        EXPECT_TRUE(above.contains(name)) << room.name << " is named before " << name;
+    above.insert(room.name);
+  }
+}
+
+TEST_F(SmallHouse, MayIncludeItsOwnRoomAndThoseAllowed) {
+  header("jetlag", "#include \"jetlag/model/system.hpp\"\n");
+  header("model/kinks", "#include <jetlag/model/system.hpp>\n#include \"jetlag/version.hpp\"\n");
+  source("main", "#include \"jetlag/model/system.hpp\"\n#include \"studies/body.hpp\"\n");
+  source("model/inner", "#include \"model/lists.hpp\"\n");
   write("src/studies/body.hpp", "// SPDX-License-Identifier: MIT\n#pragma once\n");
+  write("src/model/lists.hpp", "// SPDX-License-Identifier: MIT\n#pragma once\n");
   EXPECT_THAT(offences(root), IsEmpty());
 }
 
-TEST_F(SmallHouse, MustNotIncludeAHigherFloor) {
-  header("series/log", "#include \"jetlag/motion/system.hpp\"\n");
-  source("series/sin", "  #  include <jetlag/motion/system.hpp>\n");
+TEST_F(SmallHouse, MustNotIncludeOtherRooms) {
+  header("series/log", "#include \"jetlag/model/system.hpp\"\n");
+  source("series/sin", "  #  include <jetlag/model/system.hpp>\n");
+  header("truncation/law",
+         "#include \"jetlag/series/functions/exp.hpp\"\n");  // a lower room, but no business of this one
   EXPECT_THAT(
       offences(root),
       ElementsAre(
-          "include/jetlag/series/log.hpp: #include jetlag/motion/system.hpp points up, from floor 0 to 2",
-          "src/series/sin.cpp: #include jetlag/motion/system.hpp points up, from floor 0 to 2"));
+          "include/jetlag/series/log.hpp: #include jetlag/model/system.hpp: series may not include model",
+          "include/jetlag/truncation/law.hpp: #include jetlag/series/functions/exp.hpp: truncation may not "
+          "include "
+          "series",
+          "src/series/sin.cpp: #include jetlag/model/system.hpp: series may not include model"));
 }
 
-TEST_F(SmallHouse, MustNotReachAHigherFloorBySideDoors) {
-  source("series/log", "#include \"../../include/jetlag/motion/system.hpp\"\n");
-  source("series/sin", "#include \"motion/inner.hpp\"\n");
-  write("src/motion/inner.hpp", "// SPDX-License-Identifier: MIT\n#pragma once\n");
+TEST_F(SmallHouse, MustNotReachOtherRoomsBySideDoors) {
+  source("series/log", "#include \"../../include/jetlag/model/system.hpp\"\n");
+  source("series/sin", "#include \"model/inner.hpp\"\n");
+  write("src/model/inner.hpp", "// SPDX-License-Identifier: MIT\n#pragma once\n");
   EXPECT_THAT(
       offences(root),
       ElementsAre(
-          "src/series/log.cpp: #include ../../include/jetlag/motion/system.hpp points up, from floor 0 to 2",
-          "src/series/sin.cpp: #include motion/inner.hpp points up, from floor 0 to 2"));
+          "src/series/log.cpp: #include ../../include/jetlag/model/system.hpp: series may not include model",
+          "src/series/sin.cpp: #include model/inner.hpp: series may not include private headers of model"));
+}
+
+TEST_F(SmallHouse, KeepsPrivateHeadersPrivate) {
+  source("control/step", "#include \"model/inner.hpp\"\n");
+  write("src/model/inner.hpp", "// SPDX-License-Identifier: MIT\n#pragma once\n");
+  EXPECT_THAT(offences(root),
+              ElementsAre("src/control/step.cpp: #include model/inner.hpp: control may not include "
+                          "private headers of model"));
 }
 
 TEST_F(SmallHouse, MustNotIncludeTheUmbrella) {
   header("jetlag", "");
   source("main", "#include <jetlag/jetlag.hpp>\n");
   EXPECT_THAT(offences(root),
-              ElementsAre("src/main.cpp: #include jetlag/jetlag.hpp points up, from floor 7 to 8"));
+              ElementsAre("src/main.cpp: #include jetlag/jetlag.hpp: src/main.cpp may not include "
+                          "private headers of include/jetlag/jetlag.hpp"));
 }
 
 TEST_F(SmallHouse, HasNoUnknownRooms) {
@@ -204,8 +272,8 @@ TEST_F(SmallHouse, HasNoUnknownRooms) {
 TEST_F(SmallHouse, IncludesOnlyWhatExists) {
   source("series/log", "#include \"lost.hpp\"\n#include <jetlag/series/lost.hpp>\n");
   EXPECT_THAT(offences(root),
-              ElementsAre("src/series/log.cpp: #include lost.hpp there is no such file",
-                          "src/series/log.cpp: #include jetlag/series/lost.hpp there is no such file"));
+              ElementsAre("src/series/log.cpp: #include lost.hpp: there is no such file",
+                          "src/series/log.cpp: #include jetlag/series/lost.hpp: there is no such file"));
 }
 
 TEST_F(SmallHouse, StartsEachFileWithItsLicence) {

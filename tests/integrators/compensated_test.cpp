@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "jetlag/control/fixed_step.hpp"
-#include "jetlag/integrators/leapfrog.hpp"
+#include "jetlag/integrators/explicit/leapfrog.hpp"
 #include "jetlag/integrators/taylor.hpp"
 #include "support/digits50.hpp"
 #include "support/scenes_for_tests.hpp"

@@ -12,7 +12,7 @@
 
 #include "jetlag/control/jorba_zou.hpp"
 #include "jetlag/integrators/taylor.hpp"
-#include "jetlag/motion/energy.hpp"
+#include "jetlag/model/energy.hpp"
 #include "jetlag/schedule/lockstep.hpp"
 #include "jetlag/truncation/draws.hpp"
 #include "support/scenes_for_tests.hpp"

@@ -12,7 +12,7 @@
 
 #include "jetlag/control/fixed_step.hpp"
 #include "jetlag/integrators/taylor.hpp"
-#include "jetlag/motion/energy.hpp"
+#include "jetlag/model/energy.hpp"
 #include "jetlag/schedule/lockstep.hpp"
 #include "support/scenes_for_tests.hpp"
 

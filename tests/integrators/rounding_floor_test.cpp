@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
-#include "jetlag/integrators/dop853.hpp"
-#include "jetlag/integrators/dopri5.hpp"
-#include "jetlag/integrators/gauss_radau.hpp"
-#include "jetlag/integrators/hermite.hpp"
+#include "jetlag/integrators/explicit/dop853.hpp"
+#include "jetlag/integrators/explicit/dopri5.hpp"
+#include "jetlag/integrators/explicit/gauss_radau.hpp"
+#include "jetlag/integrators/explicit/hermite.hpp"
 #include "jetlag/schedule/lockstep.hpp"
 #include "support/scenes_for_tests.hpp"
 

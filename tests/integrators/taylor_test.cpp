@@ -14,7 +14,7 @@
 #include "jetlag/control/fixed_step.hpp"
 #include "jetlag/control/jorba_zou.hpp"
 #include "jetlag/control/variance_target.hpp"
-#include "jetlag/motion/energy.hpp"
+#include "jetlag/model/energy.hpp"
 #include "jetlag/schedule/lockstep.hpp"
 #include "support/scenes_for_tests.hpp"
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "jetlag/forces/forces.hpp"
+#include "jetlag/model/particle_order.hpp"
 #include "jetlag/motion/expansion.hpp"
-#include "jetlag/motion/particle_order.hpp"
 
 namespace jetlag::testing {
 namespace {

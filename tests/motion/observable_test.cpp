@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "jetlag/motion/clock.hpp"
+#include "jetlag/base/rounded_time.hpp"
 #include "jetlag/motion/expansion.hpp"
 #include "jetlag/series/elementary.hpp"
 #include "support/random.hpp"

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "jetlag/control/fixed_step.hpp"
-#include "jetlag/integrators/leapfrog.hpp"
+#include "jetlag/integrators/explicit/leapfrog.hpp"
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/schedule/lockstep.hpp"
 #include "jetlag/schedule/record.hpp"

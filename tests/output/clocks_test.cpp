@@ -10,7 +10,7 @@
 #include <set>
 
 #include "jetlag/output/files.hpp"
-#include "jetlag/output/pictures.hpp"
+#include "jetlag/pictures/pictures.hpp"
 #include "output/scratch.hpp"
 
 namespace jetlag {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "jetlag/motion/energy.hpp"
+#include "jetlag/model/energy.hpp"
 #include "reference/conditioning.hpp"
 
 namespace jetlag::testing {

@@ -11,7 +11,7 @@
 #include <numeric>
 
 #include "jetlag/forces/spring.hpp"
-#include "jetlag/motion/energy.hpp"
+#include "jetlag/model/energy.hpp"
 #include "reference/conditioning.hpp"
 
 namespace jetlag::testing {

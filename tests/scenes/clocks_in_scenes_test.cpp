@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "jetlag/runs/run_scene.hpp"
 #include "jetlag/scenes/error.hpp"
-#include "jetlag/scenes/run_scene.hpp"
 
 namespace jetlag::testing {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "jetlag/scenes/run_scene.hpp"
+#include "jetlag/runs/run_scene.hpp"
 
 namespace jetlag::testing {
 namespace {

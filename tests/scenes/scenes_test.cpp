@@ -7,8 +7,8 @@
 #include <numbers>
 #include <sstream>
 
+#include "jetlag/runs/run_scene.hpp"
 #include "jetlag/scenes/error.hpp"
-#include "jetlag/scenes/run_scene.hpp"
 #include "support/program.hpp"
 
 namespace jetlag::testing {

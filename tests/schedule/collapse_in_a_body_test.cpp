@@ -134,7 +134,7 @@ void expect_fall(const std::vector<double>& means, std::size_t from) {
   }
 }
 
-/// Ends that meet exactly are a kink (motion/kinks.hpp), at which steps end: what is left is an error of the tolerance at
+/// Ends that meet exactly are a kink (model/kinks.hpp), at which steps end: what is left is an error of the tolerance at
 /// most in each update, of whoever it is. Ends that pass each other turn the force in 2 offset s, which a series need not
 /// see: while the ends are nearest within a step h, the force of the spring, of k L, may be wrong by twice that for as long
 /// as h and that turn, and by then an end goes wrong by 2 h L k / m a second; far away that has not arrived.

@@ -16,7 +16,7 @@
 #include "jetlag/control/variance_target.hpp"
 #include "jetlag/forces/forces.hpp"
 #include "jetlag/integrators/taylor.hpp"
-#include "jetlag/motion/energy.hpp"
+#include "jetlag/model/energy.hpp"
 #include "jetlag/schedule/asynchronous.hpp"
 #include "jetlag/schedule/block.hpp"
 #include "jetlag/schedule/lockstep.hpp"

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "jetlag/motion/energy.hpp"
+#include "jetlag/model/energy.hpp"
 #include "jetlag/schedule/asynchronous.hpp"
 #include "jetlag/schedule/block.hpp"
 

@@ -12,7 +12,7 @@
 
 #include "jetlag/control/fixed_step.hpp"
 #include "jetlag/control/jorba_zou.hpp"
-#include "jetlag/integrators/leapfrog.hpp"
+#include "jetlag/integrators/explicit/leapfrog.hpp"
 #include "jetlag/integrators/taylor.hpp"
 #include "support/scenes_for_tests.hpp"
 

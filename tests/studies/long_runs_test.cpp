@@ -69,7 +69,7 @@ TEST(AviDriftStudy, HasAnEnergyThatDoesNotDrift) {
   const auto& row = rows[3];
   ASSERT_EQ(row.size(), 8u);
   EXPECT_LT(std::stod(row[2]),
-            0.03);  // 0.01887 up to 2000 s (tests/schedule/avi_test.cpp), 50 times as many times
+            0.03);  // 0.01887 up to 2000 s (tests/schedule/avi/avi_test.cpp), 50 times as many times
   EXPECT_NEAR(std::stod(row[5]), 1.0, 0.1);
   // Impulses on two particles are opposite to the last bit and masses are 1. What remains are roundings of velocities
   // of 0.06 to 0.25, of 4e-18 to 8e-18 rms, in 2 x 3.2e7 updates of a random walk: 3e-14 to 6e-14.

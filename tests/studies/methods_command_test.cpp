@@ -2,7 +2,7 @@
 // `jetlag methods`: the list, a page, all pages in a folder.
 #include <gmock/gmock.h>
 
-#include "scenes/methods.hpp"
+#include "scenes/methods/methods.hpp"
 #include "support/program.hpp"
 
 namespace jetlag::testing {

@@ -14,7 +14,7 @@
 #include <type_traits>
 
 #include "jetlag/series/constants.hpp"
-#include "jetlag/series/erf.hpp"
+#include "jetlag/series/functions/erf.hpp"
 
 namespace jetlag::testing {
 

@@ -17,7 +17,7 @@
 #include "jetlag/forces/gravity.hpp"
 #include "jetlag/forces/spring.hpp"
 #include "jetlag/forces/uniform_field.hpp"
-#include "jetlag/motion/system.hpp"
+#include "jetlag/model/system.hpp"
 #include "jetlag/truncation/draws.hpp"
 
 namespace jetlag::testing {

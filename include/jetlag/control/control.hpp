@@ -40,7 +40,7 @@ class Control {
   /// The next step [s], > 0 and at most max_step.
   virtual double propose(const Prospect& prospect) = 0;
 
-  /// How far [m] beyond a kink of a force (motion/kinks.hpp) a step may end, where positions are of this size [m]: those
+  /// How far [m] beyond a kink of a force (model/kinks.hpp) a step may end, where positions are of this size [m]: those
   /// that are longer are shortened; as far as rounding hides it, all may. Infinite where a step is taken as it is.
   virtual double past_kinks(double size) const = 0;
 

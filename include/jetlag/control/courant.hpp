@@ -3,7 +3,7 @@
 // The Courant limit: no step beyond what is stable for the stiffest oscillation of a scene.
 
 #include "jetlag/control/control.hpp"
-#include "jetlag/motion/system.hpp"
+#include "jetlag/model/system.hpp"
 #include "jetlag/truncation/stability.hpp"
 
 namespace jetlag {

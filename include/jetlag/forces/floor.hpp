@@ -62,7 +62,7 @@ struct HalfSpace {
 ///
 /// The force has a kink at the surface, so that the motion is analytic only between contacts, and the series of a step
 /// knows the side on which the step begins. Steps that a control chooses from the series, and those of clocks, end there
-/// (motion/kinks.hpp). A step that is fixed goes on as if there were no surface: it misses up to k (v h)^2 / 2 of energy on
+/// (model/kinks.hpp). A step that is fixed goes on as if there were no surface: it misses up to k (v h)^2 / 2 of energy on
 /// the way in, (omega h)^2 of that along n with omega = sqrt(k/m), and as much on the way out, whatever its degree. Who needs
 /// the order of the method all the same ends a step there, with an Event at the surface (schedule/events.hpp) whose
 /// `change` carries the state over it, since rounding may leave it on either side:

@@ -23,10 +23,10 @@
 #include <utility>
 #include <vector>
 
+#include "jetlag/base/outcome.hpp"
 #include "jetlag/control/jorba_zou.hpp"
 #include "jetlag/integrators/integrator.hpp"
 #include "jetlag/motion/first_order.hpp"
-#include "jetlag/motion/outcome.hpp"
 #include "jetlag/truncation/draws.hpp"
 #include "jetlag/truncation/sequential.hpp"
 

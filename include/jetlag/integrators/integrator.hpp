@@ -7,31 +7,15 @@
 //   - on failure the state is untouched and the report says where and why;
 //   - same state, seed and update number: same bits.
 
-#include <cstdint>
 #include <memory>
 
+#include "jetlag/base/outcome.hpp"
+#include "jetlag/base/work.hpp"
 #include "jetlag/control/control.hpp"
-#include "jetlag/motion/outcome.hpp"
+#include "jetlag/model/system.hpp"
 #include "jetlag/motion/piece.hpp"
-#include "jetlag/motion/system.hpp"
 
 namespace jetlag {
-
-/// What a run has cost so far.
-struct Work {
-  std::uint64_t steps = 0;
-  std::uint64_t updates = 0;       // particles x steps, without the fixed ones
-  std::uint64_t coefficients = 0;  // coefficients of positions beyond order 1, one for each moving particle
-  std::uint64_t element_coefficients =
-      0;                      // (element, order) pairs; a force evaluation is one for each element
-  std::uint64_t degrees = 0;  // sum over updates of the degree used
-  std::uint64_t rejected = 0;
-  std::uint64_t wake_ups = 0;  // updates before their time, of clocks
-
-  double mean_degree() const {
-    return updates == 0 ? 0.0 : static_cast<double>(degrees) / static_cast<double>(updates);
-  }
-};
 
 /// What can be asked about the step that was taken last.
 class LastStep {

@@ -4,7 +4,7 @@
 // control reads anyway: methods with `own_series` need order N + 1 of the positions, those with `derivative` order N.
 
 #include "jetlag/integrators/taylor.hpp"
-#include "jetlag/motion/energy.hpp"
+#include "jetlag/model/energy.hpp"
 
 namespace jetlag {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "jetlag/integrators/integrator.hpp"
-#include "jetlag/motion/kinks.hpp"
+#include "jetlag/model/kinks.hpp"
 #include "jetlag/truncation/draws.hpp"
 #include "jetlag/truncation/sequential.hpp"
 #include "jetlag/truncation/truncation.hpp"
@@ -25,7 +25,7 @@ namespace jetlag {
 /// draw for each, of its particle; it is asked after each order, and no order is computed that is not needed. Where the
 /// control reads the series, all are. What a control learns of a sequential law is its lower bound.
 ///
-/// Steps that a control chooses end at kinks of forces (motion/kinks.hpp), which are sought on the series as far as the
+/// Steps that a control chooses end at kinks of forces (model/kinks.hpp), which are sought on the series as far as the
 /// control has read it: where that is, does not depend on the degree that is drawn.
 class RandomTaylor final : public Integrator {
  public:

@@ -90,7 +90,7 @@ struct Crossing {
 };
 
 /// All crossings in (begin, end] of finite series that follow each other, in order: the polynomial changes sign between
-/// the double before `time` and `time`, in exact arithmetic. See series/roots.hpp for roots close together and touches.
+/// the double before `time` and `time`, in exact arithmetic. See series/calculus/roots.hpp for roots close together and touches.
 /// Neighbours join to rounding only. Where their values differ in sign, which would hide a crossing or repeat it,
 /// coefficient 0 of the later one becomes the value at the end of the earlier one.
 std::vector<Crossing> crossings(std::span<LocalSeries> series);

@@ -18,7 +18,7 @@
 #include <span>
 #include <vector>
 
-#include "jetlag/motion/neighbourhoods.hpp"
+#include "jetlag/model/neighbourhoods.hpp"
 
 namespace jetlag {
 

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "jetlag/motion/system.hpp"
-#include "jetlag/series/polynomial.hpp"
+#include "jetlag/model/system.hpp"
+#include "jetlag/series/calculus/polynomial.hpp"
 
 namespace jetlag {
 

@@ -15,7 +15,7 @@
 #include <mutex>
 #include <vector>
 
-#include "jetlag/tape/workers.hpp"
+#include "jetlag/base/workers.hpp"
 
 namespace jetlag {
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "jetlag/motion/energy.hpp"
+#include "jetlag/model/energy.hpp"
 
 namespace jetlag {
 

@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "jetlag/integrators/integrator.hpp"
+#include "jetlag/base/outcome.hpp"
+#include "jetlag/base/work.hpp"
 #include "jetlag/output/sample.hpp"
 
 namespace jetlag {
@@ -80,7 +81,7 @@ std::string to_json(const EnsembleResult& result);
 
 /// Above, the band of one quantity (5 to 95 %, 25 to 75 %), its median and the reference, or where the band is less than
 /// a fiftieth of what it moves, all minus the reference. Below, Calibration against time. .svg or .png, by gnuplot.
-/// Throws as the pictures of output/pictures.hpp.
+/// Throws as the pictures of pictures/pictures.hpp.
 void draw_ensemble(const std::filesystem::path& picture, const EnsembleResult& result, std::size_t watched,
                    const std::string& title);
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "jetlag/motion/system.hpp"
+#include "jetlag/model/system.hpp"
 
 namespace jetlag {
 

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "jetlag/integrators/integrator.hpp"
-#include "jetlag/motion/energy.hpp"
-#include "jetlag/motion/outcome.hpp"
-#include "jetlag/motion/system.hpp"
+#include "jetlag/base/outcome.hpp"
+#include "jetlag/base/work.hpp"
+#include "jetlag/model/energy.hpp"
+#include "jetlag/model/system.hpp"
 
 namespace jetlag {
 

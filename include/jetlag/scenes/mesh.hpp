@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "jetlag/motion/system.hpp"
+#include "jetlag/model/system.hpp"
 
 namespace jetlag {
 

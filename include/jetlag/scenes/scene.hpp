@@ -12,8 +12,8 @@
 #include <string_view>
 #include <vector>
 
-#include "jetlag/integrators/random_ensemble.hpp"
-#include "jetlag/motion/system.hpp"
+#include "jetlag/ensembles/random_ensemble.hpp"
+#include "jetlag/model/system.hpp"
 #include "jetlag/output/shape.hpp"
 #include "jetlag/schedule/schedule.hpp"
 #include "jetlag/truncation/truncation.hpp"

@@ -11,7 +11,7 @@
 // at most `grading` levels coarser than any neighbour. (A neighbour that is not due stays too coarse until it is: woken
 // at an odd tick it would have to begin with the finest step, and so would its own neighbours; measured on a
 // chain of 128 masses with four stiff springs, degree 8: four times the updates.) Only at a kink of a force
-// (motion/kinks.hpp) are neighbours woken: there a series departs from what they rely on. They are due at the coarsest
+// (model/kinks.hpp) are neighbours woken: there a series departs from what they rely on. They are due at the coarsest
 // tick up to which it does so by less than the tolerance, and counted in Work::wake_ups.
 //
 // Source: individual steps in blocks, Makino, Aarseth 1992 (S. J. Aarseth, Gravitational N-Body Simulations, 2003);

@@ -35,10 +35,10 @@
 #include <span>
 #include <type_traits>
 
+#include "jetlag/series/calculus/polynomial.hpp"
 #include "jetlag/series/coefficients.hpp"
 #include "jetlag/series/lift.hpp"
 #include "jetlag/series/operators.hpp"
-#include "jetlag/series/polynomial.hpp"
 #include "jetlag/series/singular_point.hpp"
 
 namespace jetlag {

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// What a motion conserves, or should.
+
+#include <vector>
+
+#include "jetlag/model/element_blocks.hpp"
+#include "jetlag/model/system.hpp"
+
+namespace jetlag {
+
+struct Energy {
+  double kinetic = 0, potential = 0;  // [J]
+  double total() const { return kinetic + potential; }
+};
+
+/// Measures the energy of a system: kinetic, and potential for the laws that have one.
+class EnergyMeter {
+ public:
+  explicit EnergyMeter(const System<double>& system);
+  /// Throws std::invalid_argument for a state of another shape.
+  Energy operator()(const State<double>& state);
+
+ private:
+  int dimension_;
+  std::vector<double> mass_;
+  std::vector<ElementBlocks<double>> potentials_;
+  AlignedVector<double> position_, velocity_;  // padded rows
+};
+
+/// sum_i m_i v_i [kg m/s]: shape (dimension).
+Eigen::VectorXd momentum(const System<double>& system, const State<double>& state);
+
+/// sum_i m_i x_i ^ v_i [kg m^2/s]: shape (1) in the plane, (3) in space, empty on a line.
+Eigen::VectorXd angular_momentum(const System<double>& system, const State<double>& state);
+
+}  // namespace jetlag

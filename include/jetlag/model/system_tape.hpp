@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The whole system as one tape, whose element is a trajectory: what ensembles run, one trajectory in each lane.
+
+#include "jetlag/model/system.hpp"
+#include "jetlag/tape/tape.hpp"
+
+namespace jetlag {
+
+/// The forces on all particles, all laws together [N].
+/// Inputs: position and velocity with the particle as participant, time; a separation is that of particles 0 and 1.
+/// Outputs: particles x dimension, particle by particle; zero for fixed ones. Parameters and masses are constants.
+Tape system_tape(const System<double>& system);
+
+}  // namespace jetlag

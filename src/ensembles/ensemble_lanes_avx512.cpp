@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: MIT
+#define JETLAG_INSTRUCTION_SET_NAME avx512
+#include "ensembles/ensemble_lanes.hpp"

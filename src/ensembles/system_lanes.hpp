@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The series of one system for a block of trajectories, one in each lane: what the ensembles have in common.
+
+#include <vector>
+
+#include "ensembles/ensemble_lanes.hpp"
+#include "jetlag/model/system.hpp"
+#include "jetlag/tape/program.hpp"
+
+namespace jetlag {
+
+struct SystemLanes {
+  explicit SystemLanes(const System<double>& system);
+
+  int particles, dimension, components;
+  std::size_t elements = 0;
+  std::vector<double> inverse_mass;  // of each component; 0: fixed
+  Program program;
+  std::vector<Place> series;  // of each component of the positions: every order is kept
+  bool reads_velocity = false;
+
+  /// The series of the positions up to `order`, from their orders 0 and 1.   time: one for each lane [s].
+  /// unit [s]: a power of two; coefficient k comes times unit^k, with the same digits, as in Expansion.
+  void grow(Blocks<double>& blocks, const EnsembleLanes& lanes, const double* time, int order,
+            double unit = 1) const;
+};
+
+}  // namespace jetlag

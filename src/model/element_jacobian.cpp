@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "model/element_jacobian.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace jetlag {
+
+namespace {
+
+/// The wanted elements of a group, as a group of their own.
+Elements<double> part_of(const Elements<double>& group,
+                         const std::function<bool(std::span<const int>)>& wanted) {
+  Elements<double> part{group.law, {}, {}};
+  const std::size_t p = group.law.participants, width = group.law.parameters.size();
+  for (std::size_t e = 0; e < group.count(); ++e) {
+    const std::span<const int> members(&group.particles[e * p], p);
+    if (!wanted(members)) continue;
+    part.particles.insert(part.particles.end(), members.begin(), members.end());
+    part.parameters.insert(part.parameters.end(), group.parameters.begin() + e * width,
+                           group.parameters.begin() + (e + 1) * width);
+  }
+  return part;
+}
+
+}  // namespace
+
+ElementJacobian::ElementJacobian(const System<double>& system,
+                                 const std::function<bool(std::span<const int>)>& wanted,
+                                 const std::function<bool(int)>& column)
+    : particles_(system.particles()),
+      dimension_(system.dimension()),
+      stride_(padded(system.dimension())),
+      touched_(particles_, false),
+      fixed_(system.fixed()),
+      neighbours_(particles_),
+      rows_(particles_) {
+  for (const auto& group : system.elements()) {
+    const Elements<double> part = part_of(group, wanted);
+    if (part.count() == 0) continue;
+    laws_.emplace_back(system, part, part.law.force, kernels<double>());
+    laws_.back().reserve(2);
+    reads_velocity_ = reads_velocity_ || laws_.back().reads_velocity();
+    const std::size_t p = part.law.participants;
+    for (std::size_t e = 0; e < part.count(); ++e)
+      for (std::size_t a = 0; a < p; ++a) {
+        const int i = part.particles[e * p + a];
+        touched_[i] = true;
+        for (std::size_t b = 0; b < p; ++b)
+          if (const int j = part.particles[e * p + b]; j != i && !system.fixed()[i] && !system.fixed()[j])
+            neighbours_[i].push_back(j);
+      }
+  }
+  for (int i = 0; i < particles_; ++i) {
+    auto& neighbours = neighbours_[i];
+    std::ranges::sort(neighbours);
+    neighbours.erase(std::ranges::unique(neighbours).begin(), neighbours.end());
+    if (!touched_[i] || system.fixed()[i] || !column(i)) continue;
+    rows_[i] = {i};
+    rows_[i].insert(rows_[i].end(), neighbours.begin(), neighbours.end());
+  }
+  const std::size_t size = static_cast<std::size_t>(particles_) * stride_;
+  x_.assign(2 * size, 0.0);
+  v_.assign(2 * size, 0.0);
+  f_.assign(size, 0.0);
+}
+
+/// Greedily: the first colour that none of those has upon whom a neighbour acts.
+void ElementJacobian::colour() {
+  if (std::exchange(is_coloured_, true)) return;
+  const auto all =
+      static_cast<std::size_t>(std::ranges::count_if(rows_, [](const auto& r) { return !r.empty(); }));
+  std::vector<int> colour(particles_, -1), taken_by;  // of each colour: the last particle that cannot have it
+  for (int i = 0; i < particles_; ++i) {
+    if (rows_[i].empty()) continue;
+    std::size_t free = 0;
+    if (rows_[i].size() >= all) {  // it acts upon all
+      free = colours_.size();
+    } else {
+      const auto take = [&](int j) {
+        if (colour[j] >= 0) taken_by[colour[j]] = i;
+      };
+      for (const int j : rows_[i]) {
+        take(j);
+        for (const int k : neighbours_[j]) take(k);
+      }
+      while (free < colours_.size() && taken_by[free] == i) ++free;
+    }
+    colour[i] = static_cast<int>(free);
+    if (free == colours_.size()) {
+      colours_.emplace_back();
+      taken_by.push_back(-1);
+    }
+    colours_[free].push_back(i);
+  }
+}
+
+/// Coefficient k of the forces.
+void ElementJacobian::run(int k) {
+  const std::size_t size = f_.size();
+  std::ranges::fill(f_, 0.0);
+  // A unit of time of 0: the time stands still along a direction.
+  const MotionRows<double> motion{x_.data() + k * size, v_.data() + k * size, size, time_, 0.0};
+  for (auto& law : laws_) {
+    if (law.running(k, 1) == 0) continue;
+    for (std::size_t chunk = 0; chunk < law.chunks(); ++chunk) law.push(chunk, k, 1, motion, f_.data());
+    element_coefficients_ += law.count();
+  }
+}
+
+Coordinates<double> ElementJacobian::result() const {
+  Coordinates<double> force(particles_, dimension_);
+  for (int i = 0; i < particles_; ++i)
+    for (int c = 0; c < dimension_; ++c) force(i, c) = f_[i * stride_ + c];
+  return force;
+}
+
+Coordinates<double> ElementJacobian::force(const State<double>& state) {
+  time_ = state.time;
+  for (int i = 0; i < particles_; ++i)
+    for (int c = 0; c < dimension_; ++c) {
+      x_[i * stride_ + c] = state.position(i, c);
+      v_[i * stride_ + c] = state.velocity(i, c);
+    }
+  run(0);
+  return result();
+}
+
+Coordinates<double> ElementJacobian::product(const Coordinates<double>& u, const Coordinates<double>& w) {
+  double *const x = x_.data() + f_.size(), *const v = v_.data() + f_.size();
+  for (int i = 0; i < particles_; ++i)
+    for (int c = 0; c < dimension_; ++c) {
+      x[i * stride_ + c] = fixed_[i] ? 0.0 : u(i, c);
+      v[i * stride_ + c] = fixed_[i] ? 0.0 : w(i, c);
+    }
+  run(1);
+  std::fill_n(x, f_.size(), 0.0);  // as `derivatives` expects them
+  std::fill_n(v, f_.size(), 0.0);
+  return result();
+}
+
+void ElementJacobian::derivatives(By by, std::vector<JacobianEntry>& entries) {
+  colour();
+  entries.clear();
+  if (by == By::velocity && !reads_velocity_) return;
+  double* const direction = (by == By::position ? x_ : v_).data() + f_.size();
+  for (const auto& colour : colours_)
+    for (int c = 0; c < dimension_; ++c) {
+      for (const int i : colour) direction[i * stride_ + c] = 1;
+      run(1);
+      for (const int i : colour) {
+        direction[i * stride_ + c] = 0;
+        for (const int row : rows_[i])
+          for (int r = 0; r < dimension_; ++r)
+            entries.push_back({row * dimension_ + r, i * dimension_ + c, f_[row * stride_ + r]});
+      }
+    }
+}
+
+}  // namespace jetlag

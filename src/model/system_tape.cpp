@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "jetlag/model/system_tape.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include "jetlag/series/functions.hpp"
+
+namespace jetlag {
+
+namespace {
+
+/// c f^a with numbers c > 0 and a as (c^{1/a} f)^a: the power itself need not be kept beside its product, where the next
+/// operations read all of its orders. Tiny and huge c are left alone.
+std::optional<Recorded> scaled_power(Recording& recording, const std::vector<Node>& nodes, const Node& node,
+                                     const std::vector<Recorded>& value) {
+  if (node.rule != rule_id<Scale> || !value[node.operands[0]].is_number()) return {};
+  const Node& power = nodes[node.operands[1]];
+  if (power.kind != Node::Kind::operation || power.rule != rule_id<Power> || power.is_static) return {};
+  const Recorded& exponent = value[power.operands[0]];
+  const double c = value[node.operands[0]].value(), a = exponent.is_number() ? exponent.value() : 0.0;
+  // The root of c and its product are rounded, and a multiplies that.
+  if (!(c > 1e-30 && c < 1e30) || !(std::abs(a) >= 0.5 && std::abs(a) <= 4)) return {};
+  const Recorded f = value[power.operands[1]];
+  const int scale = recording.node_of(Recorded(std::pow(c, 1 / a)));
+  const Recorded scaled = recording.operation(rule_id<Scale>, {scale, recording.node_of(f)}, false);
+  return recording.operation(rule_id<Power>, {recording.node_of(exponent), scaled.node()}, false);
+}
+
+/// The force on the first participant of one element, recorded.
+std::vector<Recorded> record_element(Recording& recording, const RecordedLaw& law, const int* particles,
+                                     const double* parameters, const std::vector<double>& mass) {
+  const int width = static_cast<int>(law.parameters.size());
+  std::vector<Recorded> value;
+  const auto input = [&](const Input& of) {
+    const auto position = [&](int i) {
+      return recording.input({Input::Kind::position, particles[i], of.component});
+    };
+    switch (of.kind) {
+      case Input::Kind::time: return recording.input(of);
+      case Input::Kind::separation: return position(of.participant) - position(1 - of.participant);
+      default: return recording.input({of.kind, particles[of.participant], of.component});
+    }
+  };
+  const std::vector<Node>& nodes = law.force.nodes;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const Node& node = nodes[i];
+    switch (node.kind) {
+      case Node::Kind::constant: value.emplace_back(node.value); break;
+      case Node::Kind::parameter:
+        value.emplace_back(node.parameter < width ? parameters[node.parameter]
+                                                  : mass[particles[node.parameter - width]]);
+        break;
+      case Node::Kind::input: value.push_back(input(node.input)); break;
+      case Node::Kind::operation: {
+        if (node.operands.back() == static_cast<int>(i) + 1) {  // coupled with the next one
+          const Recorded u = value[node.operands[0]];
+          const auto [a, b] =
+              recording.coupled(node.rule, nodes[i + 1].rule, recording.node_of(u), node.is_static);
+          value.push_back(a);
+          value.push_back(b);
+          ++i;
+          break;
+        }
+        const auto scaled = scaled_power(recording, nodes, node, value);
+        if (scaled) {
+          value.push_back(*scaled);
+          break;
+        }
+        if (node.rule == rule_id<Multiply> && node.is_static && value[node.operands[0]].is_number() &&
+            value[node.operands[1]].is_number()) {
+          value.emplace_back(value[node.operands[0]].value() * value[node.operands[1]].value());
+          break;
+        }
+        std::vector<int> operands;
+        for (int operand : node.operands) operands.push_back(recording.node_of(value[operand]));
+        value.push_back(recording.operation(node.rule, std::move(operands), node.is_static));
+      }
+    }
+  }
+  std::vector<Recorded> force;
+  for (int output : law.force.outputs) force.push_back(value[output]);
+  return force;
+}
+
+Recorded sum(const std::vector<Recorded>& terms) {
+  Recorded total(0.0);
+  for (const Recorded& term : terms) total += term;
+  return total;
+}
+
+}  // namespace
+
+Tape system_tape(const System<double>& system) {
+  const int dimension = system.dimension();
+  Recording recording;
+  struct Terms {
+    std::vector<Recorded> plus, minus;
+  };
+  std::vector<Terms> terms(static_cast<std::size_t>(system.particles()) * dimension);
+  for (const Elements<double>& elements : system.elements()) {
+    const int p = elements.law.participants;
+    const std::size_t width = elements.law.parameters.size();
+    for (std::size_t e = 0; e < elements.count(); ++e) {
+      const int* particles = elements.particles.data() + e * p;
+      const auto force = record_element(recording, elements.law, particles,
+                                        elements.parameters.data() + e * width, system.mass());
+      for (int i = 0; i < p; ++i)
+        for (int c = 0; c < dimension; ++c) {
+          Terms& of = terms[static_cast<std::size_t>(particles[i]) * dimension + c];
+          if (!system.fixed()[particles[i]]) (i == 0 ? of.plus : of.minus).push_back(force[c]);
+        }
+    }
+  }
+  std::vector<Recorded> outputs;
+  for (const Terms& of : terms)
+    outputs.push_back(of.plus.empty() && !of.minus.empty() ? -sum(of.minus) : sum(of.plus) - sum(of.minus));
+  return recording.finish(outputs);
+}
+
+}  // namespace jetlag

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "jetlag/series/calculus/roots.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+#include "jetlag/series/calculus/polynomial.hpp"
+
+namespace jetlag {
+
+namespace {
+
+using Coefficients = std::vector<double>;
+
+/// An interval, and the polynomial on it in the Bernstein basis: sum_i b_i C(N,i) u^i (1-u)^{N-i}, u from 0 to 1.
+struct Span {
+  double low, high;
+  Coefficients b;
+};
+
+/// b_i = sum_{k<=i} C(i,k) / C(N,k) c_k h^k: each c_k h^k over its binomial, then Pascal's triangle by N(N+1)/2 sums.
+Coefficients to_bernstein(std::span<const double> c, double h) {
+  const std::size_t n = c.size() - 1;
+  Coefficients b(n + 1);
+  double power = 1, binomial = 1;
+  for (std::size_t k = 0; k <= n; ++k) {
+    b[k] = c[k] * power / binomial;
+    power *= h;
+    binomial = binomial * static_cast<double>(n - k) / static_cast<double>(k + 1);
+  }
+  for (std::size_t j = 1; j <= n; ++j)
+    for (std::size_t i = n; i >= j; --i) b[i] += b[i - 1];
+  return b;
+}
+
+int sign(double x) { return (x > 0) - (x < 0); }
+
+int sign_variations(const Coefficients& b) {
+  int count = 0, last = 0;
+  for (const double x : b) {
+    if (last * sign(x) < 0) ++count;
+    if (x != 0) last = sign(x);
+  }
+  return count;
+}
+
+double largest(const Coefficients& b) {
+  double most = 0;
+  for (const double x : b) most = std::max(most, std::abs(x));
+  return most;
+}
+
+/// The part of a span before u and the part after it (de Casteljau): averages only, so that nothing cancels that the
+/// polynomial does not cancel.
+std::pair<Span, Span> split(const Span& span, double u) {
+  const std::size_t n = span.b.size() - 1;
+  const double middle = span.low + u * (span.high - span.low);
+  Span before{span.low, middle, Coefficients(n + 1)}, after{middle, span.high, span.b};
+  for (std::size_t j = 0; j <= n; ++j) {
+    before.b[j] = after.b[0];
+    for (std::size_t i = 0; i + j < n; ++i) after.b[i] = (1 - u) * after.b[i] + u * after.b[i + 1];
+  }
+  return {std::move(before), std::move(after)};
+}
+
+/// A split at a place where the sign of the polynomial is certain, or as certain as possible.
+std::pair<Span, Span> split_beside_roots(const Span& span, std::span<const double> c) {
+  std::pair<Span, Span> best;
+  double most = -1;
+  for (const double u : {0.5, 0.4375, 0.5625, 0.375, 0.625}) {
+    auto parts = split(span, u);
+    const double value = std::abs(parts.second.b.front());
+    const bool certain = value > rounding_of(c, parts.second.low);
+    if (certain || value > most) {
+      most = value;
+      best = std::move(parts);
+    }
+    if (certain) break;
+  }
+  return best;
+}
+
+/// Places that leave at most one change of sign between neighbours; the last is the end of the span.
+void separate(const Span& span, std::span<const double> c, std::vector<double>& places) {
+  const bool can_be_split = span.low + 0.375 * (span.high - span.low) > span.low &&
+                            span.low + 0.625 * (span.high - span.low) < span.high;
+  if (!can_be_split || sign_variations(span.b) <= 1 || largest(span.b) <= rounding_of(c, span.high)) {
+    places.push_back(span.high);
+    return;
+  }
+  const auto [before, after] = split_beside_roots(span, c);
+  separate(before, c, places);
+  separate(after, c, places);
+}
+
+/// The first double in (low, high] at which c no longer has the sign `side`; low >= 0 has it, high has the other.
+/// Doubles >= 0 are ordered as their bits are, so that at most 62 halvings of the bits find it.
+double first_beyond(std::span<const double> c, int side, double low, double high) {
+  auto has = std::bit_cast<std::uint64_t>(low), has_not = std::bit_cast<std::uint64_t>(high);
+  while (has_not - has > 1) {
+    const std::uint64_t middle = has + (has_not - has) / 2;
+    (sign(accurate_value(c, std::bit_cast<double>(middle))) == side ? has : has_not) = middle;
+  }
+  return std::bit_cast<double>(has_not);
+}
+
+struct Magnitudes {
+  std::span<const double> c;
+  std::size_t size() const { return c.size(); }
+  double operator[](std::size_t k) const { return std::abs(c[k]); }
+};
+
+}  // namespace
+
+double rounding_of(std::span<const double> c, double s) {
+  return 4 * static_cast<double>(c.size()) * std::numeric_limits<double>::epsilon() *
+         evaluate(Magnitudes{c}, std::abs(s));
+}
+
+double accurate_value(std::span<const double> c, double s) {
+  if (c.empty()) return 0;
+  double value = c.back(), error = 0;
+  for (std::size_t k = c.size() - 1; k-- > 0;) {
+    const double product = value * s, sum = product + c[k], part = sum - product;
+    error = error * s + (std::fma(value, s, -product) + ((product - (sum - part)) + (c[k] - part)));
+    value = sum;
+  }
+  return std::isfinite(error) ? value + error : value;
+}
+
+std::vector<SignChange> sign_changes(std::span<const double> c, double h) {
+  if (!(h > 0) || !std::isfinite(h))
+    throw std::invalid_argument("sign_changes: h must be > 0 and finite, got " + std::to_string(h));
+  for (std::size_t k = 0; k < c.size(); ++k)
+    if (!std::isfinite(c[k]))
+      throw std::invalid_argument("sign_changes: coefficient " + std::to_string(k) + " is not finite");
+  while (!c.empty() && c.back() == 0) c = c.first(c.size() - 1);
+  while (!c.empty() && c.front() == 0) c = c.last(c.size() - 1);  // c / s has the same signs
+  if (c.size() < 2) return {};
+
+  // A little further than h, so that the polynomial itself says whether a root at h crosses or touches.
+  const double end = h * (1 + 0x1p-16);
+  const double sum = evaluate(Magnitudes{c}, end);
+  if (!std::isfinite(sum))
+    throw std::invalid_argument("sign_changes: the polynomial overflows at h = " + std::to_string(h));
+  if (sum < 1.5 * std::abs(c[0])) return {};  // c_0 outweighs the rest
+
+  Span whole{0, end, to_bernstein(c, end)};
+  std::vector<double> places;
+  separate(whole, c, places);
+
+  std::vector<SignChange> found;
+  int side = sign(c[0]);
+  double low = 0;
+  for (const double place : places) {
+    const double value = accurate_value(c, place);
+    if (place != end && std::abs(value) <= rounding_of(c, place)) continue;
+    if (sign(value) == -side) {
+      const double s = first_beyond(c, side, low, place);
+      if (s <= h) found.push_back({s, side < 0});
+      side = -side;
+    }
+    low = place;
+  }
+  return found;
+}
+
+}  // namespace jetlag
