@@ -37,7 +37,7 @@ ElementSteps read_element_steps(const Value& control, const System<double>& syst
 }  // namespace
 
 std::uint64_t read_own_schedule(const Value& scene) {
-  const Value schedule = scene.at("schedule", Json{{"type", "asynchronous"}});
+  const Value schedule = scene.at("schedule", JsonText{R"({"type": "asynchronous"})"});
   schedule.only({"type", "max_steps"}).at("type", "asynchronous").one_of({"asynchronous"});
   constexpr auto most = std::numeric_limits<std::int64_t>::max();
   return static_cast<std::uint64_t>(schedule.has("max_steps") ? schedule.at("max_steps").integer(1, most)

@@ -355,8 +355,8 @@ IntegratorFactory read_inner(const MethodArguments& arguments) {
                                               type != "conrad" && type != "random_step" &&
                                               type != "exponential_step")
       deterministic.push_back(reader);
-  Json any_length = {{"type", "fixed"}, {"step", 1e300}};
-  const Value control(any_length, "control");
+  Document any_length(R"({"type": "fixed", "step": 1e300})", "control");
+  const Value control = any_length.root("control");
   return chosen(inner, deterministic)
       .read({inner, control, arguments.system, arguments.seed, arguments.threads});
 }
@@ -375,7 +375,7 @@ Method read_method(const Value& scene, std::shared_ptr<const System<double>> sys
   const Value integrator = scene.at("integrator");
   if (!integrator.is_object()) integrator.refuse("an object with a type");
   if (const auto read = chosen(integrator, integrators).own_schedule) return read(scene, std::move(system));
-  const Value schedule = scene.at("schedule", Json{{"type", "lockstep"}});
+  const Value schedule = scene.at("schedule", JsonText{R"({"type": "lockstep"})"});
   if (schedule.at("type", "lockstep").one_of(schedule_types()) != "lockstep")
     return read_clocks(scene, schedule, std::move(system), seed);
   schedule.only({"type", "max_steps", "threads"});

@@ -59,7 +59,7 @@ void require_dimension(const Value& value, int dimension, int needed) {
 Mesh read_ellipsoid(const Value& value) {
   value.only({"radii", "cells", "cut"});
   const auto radii = three(value.at("radii").vector(3, positive));
-  const Value cells = value.at("cells", Json::array({8, 8})), cut = value.at("cut", Json::array({0.9, 0.9}));
+  const Value cells = value.at("cells", JsonText{"[8, 8]"}), cut = value.at("cut", JsonText{"[0.9, 0.9]"});
   if (cells.size() != 2) cells.refuse("two numbers: cells across (even), cells along");
   const Range inside{0, 1, false, false, "a number between 0 and 1"};
   const auto cuts = cut.vector(2, inside);
@@ -71,8 +71,7 @@ Mesh read_ellipsoid(const Value& value) {
 Mesh read_ellipse(const Value& value) {
   value.only({"radii", "cells", "cut"});
   const auto radii = value.at("radii").vector(2, positive);
-  const Value cells = value.at("cells", Json::array({12, 12})),
-              cut = value.at("cut", Json::array({0.9, 0.9}));
+  const Value cells = value.at("cells", JsonText{"[12, 12]"}), cut = value.at("cut", JsonText{"[0.9, 0.9]"});
   if (cells.size() != 2) cells.refuse("two numbers: cells across, cells along");
   const Range inside{0, 1, false, false, "a number between 0 and 1"};
   const auto cuts = cut.vector(2, inside);
@@ -171,12 +170,12 @@ Particles read_particles(const Value& value, int dimension, std::uint64_t seed,
       value.at("mass", 1.0)
           .numbers(count, {1e-300, 1e300, true, true, "a number > 0, from 1e-300 to 1e300"}, "particle");
   particles.fixed.assign(count, false);
-  const Value fixed = value.at("fixed", Json::array());
+  const Value fixed = value.at("fixed", JsonText{"[]"});
   for (std::size_t i = 0; i < fixed.size(); ++i)
     particles.fixed[fixed.at(i).integer(0, static_cast<std::int64_t>(count) - 1)] = true;
   fix_ends(value, particles);
   particles.state.velocity = Coordinates<double>::Zero(particles.state.position.rows(), dimension);
-  read_velocity(value.at("velocity", Json(std::vector<double>(dimension, 0.0))), seed, particles);
+  read_velocity(value.at("velocity", std::vector<double>(dimension, 0.0)), seed, particles);
   require_finite(value, value.has("position") ? "position" : "grid", particles.state.position);
   require_finite(value, "velocity", particles.state.velocity);
   return particles;

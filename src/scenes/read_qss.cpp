@@ -9,7 +9,7 @@ namespace jetlag {
 
 Method read_qss(const Value& scene, std::shared_ptr<const System<double>> system) {
   const Value integrator = scene.at("integrator"), control = scene.at("control"),
-              schedule = scene.at("schedule", Json{{"type", "asynchronous"}});
+              schedule = scene.at("schedule", JsonText{R"({"type": "asynchronous"})"});
   schedule.only({"type", "max_steps"}).at("type", "asynchronous").one_of({"asynchronous"});
   if (!control.is_object()) control.refuse("an object with a type and a quantum");
   if (control.only({"type", "quantum", "velocity_quantum", "max_step"}).at("type", "quantum").text() !=

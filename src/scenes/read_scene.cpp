@@ -81,22 +81,22 @@ void require_memory(const System<double>& system, int degree, const Value& parti
                      " GB; take fewer particles, fewer forces or a smaller degree");
 }
 
-Scene read(Json json, const std::filesystem::path& folder) {
-  const Value value(json, "");
+Scene read(Document& document, const std::filesystem::path& folder) {
+  const Value value = document.root();
   value.only({"name", "dimension", "particles", "forces", "integrator", "control", "schedule", "until",
               "seed", "output"});
   Scene scene;
   scene.name = value.at("name", "scene").text();
   scene.seed = value.at("seed", 1).seed();
   scene.until = value.at("until").number(positive);
-  scene.output = read_output(value.at("output", Json::object()));
+  scene.output = read_output(value.at("output", JsonText{"{}"}));
   const auto dimension = static_cast<int>(value.at("dimension", 3).integer(1, 3));
   Particles particles = read_particles(value.at("particles"), dimension, scene.seed, folder);
 
   auto system = std::make_shared<System<double>>(dimension, particles.mass);
   for (std::size_t i = 0; i < particles.fixed.size(); ++i)
     if (particles.fixed[i]) system->fix(static_cast<int>(i));
-  auto lines = read_forces(value.at("forces", Json::array()), particles, *system);
+  auto lines = read_forces(value.at("forces", JsonText{"[]"}), particles, *system);
   Method method = read_method(value, system, scene.seed);
 
   require_energy(*system, particles.state, value.at("particles"));
@@ -112,70 +112,25 @@ Scene read(Json json, const std::filesystem::path& folder) {
   scene.fixed_step = method.fixed_step;
   scene.mean_orders = method.mean_orders;
   scene.orders_at_least = method.at_least;
-  scene.json = json.dump(2);
+  scene.json = document.text();
   return scene;
-}
-
-/// A path such as forces[1].stiffness[3] in steps: keys and positions. A step may be empty, as in "control..step".
-std::vector<std::string> steps_of(const std::string& path) {
-  std::vector<std::string> steps(1);
-  for (const char c : path) {
-    if (c == '.' || c == '[')
-      steps.emplace_back();
-    else if (c != ']')
-      steps.back() += c;
-  }
-  return steps;
-}
-
-/// "key.path=value" put into the scene.
-void apply_setting(Json& json, const std::string& setting) {
-  const auto equals = setting.find('=');
-  if (equals == std::string::npos || equals == 0)
-    throw SceneError("--set " + setting + ": must be key.path=value, such as control.step=0.01");
-  const std::string path = setting.substr(0, equals), text = setting.substr(equals + 1);
-  const auto steps = steps_of(path);
-  if (steps.size() > 16)
-    throw SceneError("--set " + setting.substr(0, 60) + ": must be a path of 1 to 16 steps");
-  if (std::ranges::count(steps, "") > 0)
-    throw SceneError("--set " + setting.substr(0, 60) +
-                     ": a part of its path is empty; must be key.path=value, such as control.step=0.01");
-  Json* at = &json;
-  std::string so_far;
-  for (const std::string& step : steps) {
-    if (at->is_array()) {
-      const bool digits =
-          !step.empty() && step.size() < 10 && step.find_first_not_of("0123456789") == std::string::npos;
-      const std::size_t i = digits ? std::stoul(step) : at->size();
-      if (i >= at->size())
-        throw SceneError("--set " + path + ": got [" + step + "]; must be a position below " +
-                         std::to_string(at->size()));
-      at = &(*at)[i];
-    } else if (at->is_object() || at->is_null()) {
-      at = &(*at)[step];
-    } else {
-      throw SceneError("--set " + path + ": " + so_far + " is " + at->dump() +
-                       ", which has no parts; replace it as a whole");
-    }
-    so_far += (so_far.empty() ? "" : ".") + step;
-  }
-  *at = Json::accept(text) ? parse_json(text, "--set " + path) : Json(text);
 }
 
 }  // namespace
 
 Scene read_scene(std::string_view json, const std::string& source, const std::filesystem::path& folder) {
-  return read(parse_json(json, source), folder);
+  Document document(json, source);
+  return read(document, folder);
 }
 
 Scene load_scene(const std::string& name_or_file, const std::vector<std::string>& settings,
                  std::optional<std::uint64_t> seed) {
-  Json json;
+  std::string text;
   std::filesystem::path folder = std::filesystem::current_path();
   const auto& scenes = built_in_scenes();
   const auto built_in = std::ranges::find(scenes, name_or_file, &BuiltInScene::name);
   if (built_in != scenes.end()) {
-    json = parse_json(built_in->json, name_or_file);
+    text = built_in->json;
   } else {
     std::string names;
     for (const auto& scene : scenes) names += (names.empty() ? "" : ", ") + scene.name;
@@ -183,19 +138,15 @@ Scene load_scene(const std::string& name_or_file, const std::vector<std::string>
     if (!std::filesystem::is_regular_file(name_or_file) || !file)
       throw SceneError("scene: got \"" + name_or_file + "\"; must be one of " + names +
                        ", or a JSON file that can be read");
-    const std::string text(std::istreambuf_iterator<char>(file), {});
-    json = parse_json(text, name_or_file);
+    text.assign(std::istreambuf_iterator<char>(file), {});
     folder = std::filesystem::absolute(name_or_file).parent_path();
   }
-  if (!json.is_object()) throw SceneError("(the whole scene): must be a JSON object");
-  for (const std::string& setting : settings) apply_setting(json, setting);
-  if (seed) json["seed"] = *seed;
-  try {
-    json.dump();
-  } catch (const Json::exception&) {
-    throw SceneError("--set: keys and texts must be valid UTF-8");
-  }
-  return read(std::move(json), folder);
+  Document document(text, name_or_file);
+  if (!document.root().is_object()) throw SceneError("(the whole scene): must be a JSON object");
+  for (const std::string& setting : settings) document.set(setting);
+  if (seed) document.set("seed=" + std::to_string(*seed));
+  document.text();  // refuses what is not UTF-8 before it is read
+  return read(document, folder);
 }
 
 }  // namespace jetlag

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/reader.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <set>
+#include <nlohmann/json.hpp>
 
 #include "jetlag/scenes/error.hpp"
 
 namespace jetlag {
 
 namespace {
-
-std::string shortened(const std::string& text) {
-  return text.size() <= 60 ? text : text.substr(0, 57) + "...";
-}
 
 /// "a, b or c"
 template <class Names>
@@ -26,81 +23,22 @@ std::string listed(const Names& names) {
   return text;
 }
 
-/// Walks through JSON text and keeps the path of where it is.
-class PathFinder : public nlohmann::json_sax<Json> {
- public:
-  explicit PathFinder(std::string source) : source_(std::move(source)) {}
-
-  std::string path() const {
-    std::string text;
-    for (const Level& level : levels_) {
-      if (level.is_object)
-        text += (text.empty() ? "" : ".") + level.key;
-      else
-        text += "[" + std::to_string(level.index) + "]";
-    }
-    return text.empty() ? "(the whole scene)" : text;
-  }
-
-  bool null() override { return value(); }
-  bool boolean(bool) override { return value(); }
-  bool number_integer(number_integer_t) override { return value(); }
-  bool number_unsigned(number_unsigned_t) override { return value(); }
-  bool number_float(number_float_t, const string_t&) override { return value(); }
-  bool string(string_t&) override { return value(); }
-  bool binary(binary_t&) override { return value(); }
-  bool start_object(std::size_t) override { return open(true); }
-  bool start_array(std::size_t) override { return open(false); }
-  bool end_object() override { return close(); }
-  bool end_array() override { return close(); }
-  bool key(string_t& name) override {
-    levels_.back().key = name;
-    if (!levels_.back().keys.insert(name).second)
-      throw SceneError(path() + ": the key is given twice in " + source_ + "; give it once");
-    return true;
-  }
-  bool parse_error(std::size_t, const std::string& token, const nlohmann::detail::exception& error) override {
-    std::string why = error.what();
-    if (const auto bracket = why.find("] "); bracket != std::string::npos) why = why.substr(bracket + 2);
-    if (error.id == 406)
-      throw SceneError(path() + ": got " + shortened(token) + " in " + source_ +
-                       "; must be a number within the range of double");
-    throw SceneError(path() + ": " + source_ + " is not well-formed JSON: " + why +
-                     "; numbers are finite, names are in double quotes");
-  }
-
- private:
-  struct Level {
-    bool is_object;
-    std::string key;
-    std::size_t index = 0;
-    std::set<std::string> keys;
-  };
-  bool value() {
-    if (!levels_.empty() && !levels_.back().is_object) ++levels_.back().index;
-    return true;
-  }
-  bool open(bool is_object) {
-    if (levels_.size() >= 32) throw SceneError(path() + ": nested deeper than 32 levels in " + source_);
-    levels_.push_back({is_object, "", 0, {}});
-    return true;
-  }
-  bool close() {
-    levels_.pop_back();
-    return value();
-  }
-
-  std::string source_;
-  std::vector<Level> levels_;
-};
+template <class T>
+Json json_of(const T& value) {
+  return value;
+}
+Json json_of(const JsonText& json) { return Json::parse(json.text); }
 
 }  // namespace
 
-Json parse_json(std::string_view text, const std::string& source) {
-  PathFinder finder(source);
-  Json::sax_parse(text, &finder);
-  return Json::parse(text);
+std::string shortened(const std::string& value) {
+  return value.size() <= 60 ? value : value.substr(0, 57) + "...";
 }
+
+bool Value::is_string() const { return json_->is_string(); }
+bool Value::is_array() const { return json_->is_array(); }
+bool Value::is_object() const { return json_->is_object(); }
+bool Value::is_number() const { return json_->is_number(); }
 
 void Value::refuse(const std::string& allowed) const {
   throw SceneError(path_ + ": got " + shortened(json_->dump()) + "; must be " + allowed);
@@ -129,10 +67,12 @@ std::optional<Value> Value::find(const std::string& key) const {
   return has(key) ? std::optional(at(key)) : std::nullopt;
 }
 
-Value Value::at(const std::string& key, Json fallback) const {
-  if (!has(key)) (*json_)[key] = std::move(fallback);
+Value Value::at(const std::string& key, const Fallback& fallback) const {
+  if (!has(key)) (*json_)[key] = std::visit([](const auto& value) { return json_of(value); }, fallback);
   return at(key);
 }
+
+void Value::replace(const std::string& text) const { *json_ = text; }
 
 std::size_t Value::size() const {
   if (!json_->is_array()) refuse("an array");

@@ -3,22 +3,22 @@
 // Reading JSON with the path of every value at hand, so that an error names the key, the value and what is allowed.
 
 #include <cstdint>
-#include <functional>
 #include <initializer_list>
 #include <limits>
-#include <nlohmann/json.hpp>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>  // the whole of it takes seconds to compile: only reader.cpp and document.cpp need it
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace jetlag {
 
 using Json = nlohmann::ordered_json;
 
-/// Parses JSON text. Throws SceneError naming the path where it breaks: not well-formed, a number beyond double, a key
-/// given twice, nesting deeper than 32.
-Json parse_json(std::string_view text, const std::string& source);
+/// A value as errors show it: not all of a long one.
+std::string shortened(const std::string& value);
 
 /// A range of numbers, with the words for it.
 struct Range {
@@ -35,6 +35,12 @@ inline constexpr Range positive{0, infinite, false, false, "a number > 0"};
 inline constexpr Range fraction{0, 1, false, true, "a number > 0 and <= 1"};
 inline constexpr Range non_negative{0, infinite, true, false, "a number >= 0"};
 
+/// What stands in for a value that is missing; an object or another array as the text of a file has it.
+struct JsonText {
+  const char* text;
+};
+using Fallback = std::variant<bool, std::int64_t, double, std::string, std::vector<double>, JsonText>;
+
 /// A value and its path.
 class Value {
  public:
@@ -45,10 +51,10 @@ class Value {
   /// Throws SceneError: "path: got VALUE; must be ALLOWED".
   [[noreturn]] void refuse(const std::string& allowed) const;
 
-  bool is_string() const { return json_->is_string(); }
-  bool is_array() const { return json_->is_array(); }
-  bool is_object() const { return json_->is_object(); }
-  bool is_number() const { return json_->is_number(); }
+  bool is_string() const;
+  bool is_array() const;
+  bool is_object() const;
+  bool is_number() const;
 
   /// An object with no other keys than these. To be called before its values are taken.
   const Value& only(std::initializer_list<std::string_view> keys) const {
@@ -60,10 +66,10 @@ class Value {
   std::optional<Value> find(const std::string& key) const;
 
   /// The value of a key, put in when missing: a scene that has been read is complete.
-  Value at(const std::string& key, Json fallback) const;
+  Value at(const std::string& key, const Fallback& fallback) const;
 
-  /// Puts another value in its place.
-  void replace(Json value) const { *json_ = std::move(value); }
+  /// Puts a text in its place.
+  void replace(const std::string& text) const;
 
   std::size_t size() const;  // of an array; refuses anything else
   Value at(std::size_t i) const;
@@ -84,6 +90,29 @@ class Value {
  private:
   Json* json_;
   std::string path_;
+};
+
+/// A scene file, or a part of one, as it is read: reading puts in what is missing.
+class Document {
+ public:
+  /// Parses JSON text. Throws SceneError naming the path where it breaks: not well-formed, a number beyond double, a key
+  /// given twice, nesting deeper than 32.
+  Document(std::string_view text, const std::string& source);
+  ~Document();
+  Document(const Document&) = delete;
+  Document& operator=(const Document&) = delete;
+
+  /// "key.path=value", where the path is such as forces[1].stiffness[3] and a value that is not JSON is a text.
+  /// Throws SceneError.
+  void set(const std::string& setting);
+
+  /// All of it; path: what errors call it.
+  Value root(const std::string& path = "");
+  /// Indented by two. Throws SceneError where a text is not UTF-8.
+  std::string text() const;
+
+ private:
+  std::unique_ptr<Json> json_;
 };
 
 }  // namespace jetlag
