@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "studies/avi_drift.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <memory>
 #include <vector>
 
 #include "jetlag/model/energy.hpp"
 #include "jetlag/schedule/avi.hpp"
+#include "studies/studies.hpp"
 #include "studies/ten_masses.hpp"
 
 namespace jetlag {
@@ -55,7 +53,7 @@ int run_row(double fraction, double until) {
   return 0;
 }
 
-int run(const Arguments& arguments) {
+int run_it(const Arguments& arguments) {
   std::printf("ten masses, hardening springs of 1 and 100 in turn, %g s; steps are fractions of 2/omega\n",
               arguments.until);
   std::printf("%10s %10s %36s %10s %14s %16s\n", "", "", "largest relative error of the energy", "last /",
@@ -69,17 +67,13 @@ int run(const Arguments& arguments) {
 
 }  // namespace
 
-void add_avi_drift(CLI::App& study, std::optional<Study>& chosen) {
-  auto* command = study.add_subcommand("avi_drift", "energy and momentum of a chain over a long run of avi");
-  auto arguments = std::make_shared<Arguments>();
-  command->add_option("--until", arguments->until, "length of the runs [s]")
-      ->check(CLI::Range(10.0, 1e7))
-      ->capture_default_str();
-  command->add_option("--fractions", arguments->fractions, "steps as fractions of each spring's 2/omega")
-      ->check(CLI::Range(1e-3, 1.0))
-      ->delimiter(',')
-      ->capture_default_str();
-  command->callback([&chosen, arguments] { chosen = [arguments] { return run(*arguments); }; });
+Command avi_drift_study() {
+  return command<Arguments>("avi_drift", "energy and momentum of a chain over a long run of avi", run_it,
+                            [](Arguments& a) -> std::vector<Option> {
+                              return {{"--until", &a.until, "length of the runs [s]", Between{10, 1e7}},
+                                      {"--fractions", &a.fractions,
+                                       "steps as fractions of each spring's 2/omega", Between{1e-3, 1}}};
+                            });
 }
 
 }  // namespace jetlag

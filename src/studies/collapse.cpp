@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "studies/collapse.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <limits>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -15,6 +12,7 @@
 #include "jetlag/schedule/asynchronous.hpp"
 #include "jetlag/schedule/block.hpp"
 #include "studies/collapsing_body.hpp"
+#include "studies/studies.hpp"
 
 namespace jetlag {
 
@@ -97,7 +95,7 @@ void print(const Arguments& arguments, const CollapsingBody& body, double offset
   std::fflush(stdout);
 }
 
-int run(const Arguments& arguments) {
+int run_it(const Arguments& arguments) {
   const Mesh mesh = arguments.mesh.empty() ? truncated_ellipsoid({0.8, 1.2, 0.8}, {8, 8}, 0.9, 0.95)
                                            : read_medit(arguments.mesh);
   const int edge = edge_near(mesh, mesh.position.colwise().mean());
@@ -137,29 +135,19 @@ int run(const Arguments& arguments) {
 
 }  // namespace
 
-void add_collapse(CLI::App& study, std::optional<Study>& chosen) {
-  auto* command = study.add_subcommand(
+Command collapse_study() {
+  return command<Arguments>(
       "collapse",
-      "a spring that collapses in a body: updates and errors by distance, clocks beside one clock");
-  auto arguments = std::make_shared<Arguments>();
-  command->add_option("--mesh", arguments->mesh, "a Medit mesh in place of the generated body");
-  command->add_option("--offsets", arguments->offsets, "how far apart its ends pass each other [its lengths]")
-      ->check(CLI::Range(0.0, 1.0))
-      ->delimiter(',')
-      ->capture_default_str();
-  command->add_option("--degree", arguments->degree, "of the series")
-      ->check(CLI::Range(4, 32))
-      ->capture_default_str();
-  command->add_option("--tolerance", arguments->tolerance, "of a step [lengths of the spring]")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command->add_option("--bound", arguments->bound, "of a good particle's error [lengths of the spring]")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command->add_option("--runs", arguments->runs, "collapses, each elsewhere within a fixed step")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  command->callback([&chosen, arguments] { chosen = [arguments] { return run(*arguments); }; });
+      "a spring that collapses in a body: updates and errors by distance, clocks beside one clock", run_it,
+      [](Arguments& a) -> std::vector<Option> {
+        return {
+            {"--mesh", &a.mesh, "a Medit mesh in place of the generated body"},
+            {"--offsets", &a.offsets, "how far apart its ends pass each other [its lengths]", Between{0, 1}},
+            {"--degree", &a.degree, "of the series", Between{4, 32}},
+            {"--tolerance", &a.tolerance, "of a step [lengths of the spring]", Positive{}},
+            {"--bound", &a.bound, "of a good particle's error [lengths of the spring]", Positive{}},
+            {"--runs", &a.runs, "collapses, each elsewhere within a fixed step", Between{1, 1000}}};
+      });
 }
 
 }  // namespace jetlag

@@ -4,13 +4,11 @@
 
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "jetlag/model/system.hpp"
 #include "jetlag/scenes/scene.hpp"
-#include "studies/studies.hpp"
 
 namespace jetlag {
 
@@ -54,7 +52,5 @@ struct HardResult {
 
 /// evaluations: what a method with a fixed step may spend. limit [s]: of the processor.
 HardResult run_hard_case(const HardCase& hard, const HardMethod& method, double evaluations, double limit);
-
-void add_hard_cases(CLI::App& study, std::optional<Study>& chosen);
 
 }  // namespace jetlag

@@ -2,21 +2,19 @@
 // The methods, their runs, and the table.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <limits>
-#include <memory>
 
 #include "jetlag/model/energy.hpp"
 #include "jetlag/output/files.hpp"
 #include "jetlag/scenes/error.hpp"
 #include "scenes/parts.hpp"
-#include "studies/command_line.hpp"
 #include "studies/hard_cases.hpp"
 #include "studies/processor_time.hpp"
+#include "studies/studies.hpp"
 
 namespace jetlag {
 
@@ -272,21 +270,17 @@ int run_study(const Arguments& arguments) {
 
 }  // namespace
 
-void add_hard_cases(CLI::App& study, std::optional<Study>& chosen) {
-  auto* command = study.add_subcommand("hard_cases", "every method on motions that break methods");
-  auto arguments = std::make_shared<Arguments>();
-  command->add_option("--case", arguments->cases, "only cases whose names begin so, as H5");
-  command->add_option("--method", arguments->methods, "only methods whose names begin so");
-  command
-      ->add_option("--evaluations", arguments->evaluations,
-                   "force evaluations that a method with a fixed step may spend on a case")
-      ->check(CLI::Range(1.0, 1e9))
-      ->capture_default_str();
-  command->add_option("--limit", arguments->limit, "processor time after which a run is stopped [s]")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command->add_option("--out", arguments->folder, "folder for the tables")->capture_default_str();
-  command->callback([&chosen, arguments] { chosen = [arguments] { return run_study(*arguments); }; });
+Command hard_cases_study() {
+  return command<Arguments>(
+      "hard_cases", "every method on motions that break methods", run_study,
+      [](Arguments& a) -> std::vector<Option> {
+        return {{"--case", &a.cases, "only cases whose names begin so, as H5"},
+                {"--method", &a.methods, "only methods whose names begin so"},
+                {"--evaluations", &a.evaluations,
+                 "force evaluations that a method with a fixed step may spend on a case", Between{1, 1e9}},
+                {"--limit", &a.limit, "processor time after which a run is stopped [s]", Positive{}},
+                {"--out", &a.folder, "folder for the tables"}};
+      });
 }
 
 }  // namespace jetlag

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "studies/long_runs.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <memory>
 #include <numbers>
 #include <vector>
 
@@ -14,6 +11,7 @@
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/schedule/lockstep.hpp"
 #include "jetlag/truncation/draws.hpp"
+#include "studies/studies.hpp"
 
 namespace jetlag {
 
@@ -144,30 +142,29 @@ int run_brouwer(const Arguments& arguments) {
   return 0;
 }
 
+std::vector<Option> options_of_both(Arguments& a) {
+  return {{"--periods", &a.periods, "length of the runs", Between{1, 1'000'000}},
+          {"--runs", &a.runs, "number of runs", Between{1, 10'000}},
+          {"--seed", &a.seed, "seed"}};
+}
+
 }  // namespace
 
-void add_long_runs(CLI::App& study, std::optional<Study>& chosen) {
-  const auto add = [&](const char* name, const char* description, Arguments defaults) {
-    auto* command = study.add_subcommand(name, description);
-    auto arguments = std::make_shared<Arguments>(defaults);
-    command->add_option("--periods", arguments->periods, "length of the runs")
-        ->check(CLI::Range(1, 1'000'000))
-        ->capture_default_str();
-    command->add_option("--runs", arguments->runs, "number of runs")
-        ->check(CLI::Range(1, 10'000))
-        ->capture_default_str();
-    command->add_option("--seed", arguments->seed, "seed")->capture_default_str();
-    return std::pair(command, arguments);
-  };
-  const auto [kepler, of_kepler] =
-      add("kepler", "planets of e = .9, .99, .999: steps a period and what becomes of the energy", {1000, 1});
-  kepler->callback(
-      [&chosen, arguments = of_kepler] { chosen = [arguments] { return run_kepler(*arguments); }; });
-  const auto [brouwer, of_brouwer] =
-      add("brouwer", "how the energy errors of planets from random phases grow with time", {1000, 16});
-  brouwer->add_flag("--plain", of_brouwer->plain, "plain sums in place of compensated ones");
-  brouwer->callback(
-      [&chosen, arguments = of_brouwer] { chosen = [arguments] { return run_brouwer(*arguments); }; });
+Command kepler_study() {
+  return command<Arguments>("kepler",
+                            "planets of e = .9, .99, .999: steps a period and what becomes of the energy",
+                            run_kepler, options_of_both, {1000, 1});
+}
+
+Command brouwer_study() {
+  return command<Arguments>(
+      "brouwer", "how the energy errors of planets from random phases grow with time", run_brouwer,
+      [](Arguments& a) {
+        std::vector<Option> options = options_of_both(a);
+        options.push_back({"--plain", &a.plain, "plain sums in place of compensated ones"});
+        return options;
+      },
+      {1000, 16});
 }
 
 }  // namespace jetlag

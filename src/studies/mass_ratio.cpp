@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "studies/mass_ratio.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <memory>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -17,6 +14,7 @@
 #include "jetlag/schedule/block.hpp"
 #include "jetlag/schedule/lockstep.hpp"
 #include "studies/heavy_and_light.hpp"
+#include "studies/studies.hpp"
 
 namespace jetlag {
 
@@ -71,7 +69,7 @@ void run_row(const Arguments& arguments, int degree, const char* name, Schedule&
   std::fflush(stdout);
 }
 
-int run(const Arguments& arguments) {
+int run_it(const Arguments& arguments) {
   const HeavyAndLight scene = light_mass();
   std::printf("wall - 1 N/m - 1 kg - 1 N/m - 1e-6 kg, %g periods of the light mass (%g s), tolerance %g m\n",
               arguments.periods, arguments.periods * 2 * std::numbers::pi / fast_frequency,
@@ -100,21 +98,14 @@ int run(const Arguments& arguments) {
 
 }  // namespace
 
-void add_mass_ratio(CLI::App& study, std::optional<Study>& chosen) {
-  auto* command = study.add_subcommand(
-      "mass_ratio", "a heavy mass shaken by a light one: updates of each, energy over many periods");
-  auto arguments = std::make_shared<Arguments>();
-  command->add_option("--periods", arguments->periods, "of the light mass")
-      ->check(CLI::Range(1.0, 1e9))
-      ->capture_default_str();
-  command->add_option("--tolerance", arguments->tolerance, "of a step [m]")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command->add_option("--degrees", arguments->degrees, "of the series")
-      ->check(CLI::Range(4, 32))
-      ->delimiter(',')
-      ->capture_default_str();
-  command->callback([&chosen, arguments] { chosen = [arguments] { return run(*arguments); }; });
+Command mass_ratio_study() {
+  return command<Arguments>("mass_ratio",
+                            "a heavy mass shaken by a light one: updates of each, energy over many periods",
+                            run_it, [](Arguments& a) -> std::vector<Option> {
+                              return {{"--periods", &a.periods, "of the light mass", Between{1, 1e9}},
+                                      {"--tolerance", &a.tolerance, "of a step [m]", Positive{}},
+                                      {"--degrees", &a.degrees, "of the series", Between{4, 32}}};
+                            });
 }
 
 }  // namespace jetlag

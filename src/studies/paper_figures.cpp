@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "studies/paper_figures.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,6 +15,7 @@
 #include "pictures/support.hpp"
 #include "scenes/reader.hpp"
 #include "studies/struck_body.hpp"
+#include "studies/studies.hpp"
 
 namespace jetlag {
 
@@ -220,24 +219,16 @@ int run_figures(const Arguments& arguments) {
 
 }  // namespace
 
-void add_paper_figures(CLI::App& study, std::optional<Study>& chosen) {
-  auto* command = study.add_subcommand("paper_figures", "the paper's figures 1 to 3, with numbers");
-  auto arguments = std::make_shared<Arguments>();
-  command->add_option("--mesh", arguments->mesh, "a Medit mesh in place of the generated body");
-  command->add_option("--members", arguments->members, "members of figure 1")
-      ->check(CLI::Range(2, 10'000))
-      ->capture_default_str();
-  command->add_option("--ellipse-step", arguments->ellipse_step, "step of figure 1 [s]")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command->add_option("--step", arguments->step, "step of figures 2 and 3 [s]")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command->add_option("--until", arguments->until, "end of figures 2 and 3 [s]")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command->add_option("--out", arguments->folder, "folder for tables and pictures")->capture_default_str();
-  command->callback([&chosen, arguments] { chosen = [arguments] { return run_figures(*arguments); }; });
+Command paper_figures_study() {
+  return command<Arguments>("paper_figures", "the paper's figures 1 to 3, with numbers", run_figures,
+                            [](Arguments& a) -> std::vector<Option> {
+                              return {{"--mesh", &a.mesh, "a Medit mesh in place of the generated body"},
+                                      {"--members", &a.members, "members of figure 1", Between{2, 10'000}},
+                                      {"--ellipse-step", &a.ellipse_step, "step of figure 1 [s]", Positive{}},
+                                      {"--step", &a.step, "step of figures 2 and 3 [s]", Positive{}},
+                                      {"--until", &a.until, "end of figures 2 and 3 [s]", Positive{}},
+                                      {"--out", &a.folder, "folder for tables and pictures"}};
+                            });
 }
 
 }  // namespace jetlag

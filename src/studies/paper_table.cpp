@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "studies/paper_table.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <limits>
-#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "jetlag/output/files.hpp"
 #include "jetlag/runs/run_scene.hpp"
 #include "studies/struck_body.hpp"
+#include "studies/studies.hpp"
 
 namespace jetlag {
 
@@ -111,21 +109,16 @@ int run_table(const Arguments& arguments) {
 
 }  // namespace
 
-void add_paper_table(CLI::App& study, std::optional<Study>& chosen) {
-  auto* command =
-      study.add_subcommand("paper_table", "the paper's table of eight runs of a soft body, in numbers");
-  auto arguments = std::make_shared<Arguments>();
-  command->add_option("--mesh", arguments->mesh, "a Medit mesh in place of the generated body");
-  command->add_option("--step", arguments->step, "first step [s]")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command->add_option("--until", arguments->until, "end of the runs [s]")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command->add_option("--seed", arguments->seed, "seed")->capture_default_str();
-  command->add_option("--rows", arguments->only, "run only these rows (1 to 8)")->check(CLI::Range(1, 8));
-  command->add_option("--csv", arguments->csv, "also write the table to this file");
-  command->callback([&chosen, arguments] { chosen = [arguments] { return run_table(*arguments); }; });
+Command paper_table_study() {
+  return command<Arguments>("paper_table", "the paper's table of eight runs of a soft body, in numbers",
+                            run_table, [](Arguments& a) -> std::vector<Option> {
+                              return {{"--mesh", &a.mesh, "a Medit mesh in place of the generated body"},
+                                      {"--step", &a.step, "first step [s]", Positive{}},
+                                      {"--until", &a.until, "end of the runs [s]", Positive{}},
+                                      {"--seed", &a.seed, "seed"},
+                                      {"--rows", &a.only, "run only these rows (1 to 8)", Between{1, 8}},
+                                      {"--csv", &a.csv, "also write the table to this file"}};
+                            });
 }
 
 }  // namespace jetlag

@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: MIT
-#include "studies/reference_table.hpp"
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <memory>
 
 #include "studies/reference_problems.hpp"
+#include "studies/studies.hpp"
 
 namespace jetlag {
 
 namespace {
 
-int run_table(int degree) {
+struct Arguments {
+  int degree = 20;
+};
+
+int run_table(const Arguments& arguments) {
+  const int degree = arguments.degree;
   std::printf("Taylor's method of degree %d, steps of Jorba and Zou; error: largest of the end values\n",
               degree);
   std::printf("%-47s %8s %12s %7s %9s  %s\n", "problem", "until", "outcome", "steps", "error", "wall [s]");
@@ -34,14 +37,12 @@ int run_table(int degree) {
 
 }  // namespace
 
-void add_reference_table(CLI::App& study, std::optional<Study>& chosen) {
-  auto* command = study.add_subcommand("reference_problems",
-                                       "problems with known end values, and what is missed of them");
-  auto degree = std::make_shared<int>(20);
-  command->add_option("--degree", *degree, "degree of the series")
-      ->check(CLI::Range(2, 60))
-      ->capture_default_str();
-  command->callback([&chosen, degree] { chosen = [degree] { return run_table(*degree); }; });
+Command reference_problems_study() {
+  return command<Arguments>("reference_problems",
+                            "problems with known end values, and what is missed of them", run_table,
+                            [](Arguments& a) -> std::vector<Option> {
+                              return {{"--degree", &a.degree, "degree of the series", Between{2, 60}}};
+                            });
 }
 
 }  // namespace jetlag

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "studies/ruler_table.hpp"
-
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <memory>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -15,6 +12,7 @@
 #include "jetlag/model/energy.hpp"
 #include "jetlag/output/files.hpp"
 #include "jetlag/scenes/error.hpp"
+#include "studies/studies.hpp"
 
 namespace jetlag {
 
@@ -102,7 +100,7 @@ void run_row(const Row& row, const Arguments& arguments) {
   std::fflush(stdout);
 }
 
-int run(const Arguments& arguments) {
+int run_it(const Arguments& arguments) {
   if (std::isnan(arguments.eccentricity))
     throw SceneError("--eccentricity: got nan; must be a number from 0 to 0.9");
   if (!(arguments.steps * arguments.periods >= 2))  // growth is that from half of the time to all of it
@@ -118,23 +116,14 @@ int run(const Arguments& arguments) {
 
 }  // namespace
 
-void add_ruler_table(CLI::App& study, std::optional<Study>& chosen) {
-  auto* ruler =
-      study.add_subcommand("ruler", "errors of a planet with fixed and random degrees, by kind of draw");
-  auto arguments = std::make_shared<Arguments>();
-  ruler->add_option("--eccentricity", arguments->eccentricity, "of the orbit")
-      ->check(CLI::Range(0.0, 0.9))
-      ->capture_default_str();
-  ruler->add_option("--steps", arguments->steps, "steps a period")
-      ->check(CLI::Range(1.0, 1e6))
-      ->capture_default_str();
-  ruler->add_option("--periods", arguments->periods, "length of the runs")
-      ->check(CLI::Range(1, 1'000'000))
-      ->capture_default_str();
-  ruler->add_option("--seeds", arguments->seeds, "number of runs")
-      ->check(CLI::Range(1, 10'000))
-      ->capture_default_str();
-  ruler->callback([&chosen, arguments] { chosen = [arguments] { return run(*arguments); }; });
+Command ruler_study() {
+  return command<Arguments>("ruler", "errors of a planet with fixed and random degrees, by kind of draw",
+                            run_it, [](Arguments& a) -> std::vector<Option> {
+                              return {{"--eccentricity", &a.eccentricity, "of the orbit", Between{0, 0.9}},
+                                      {"--steps", &a.steps, "steps a period", Between{1, 1e6}},
+                                      {"--periods", &a.periods, "length of the runs", Between{1, 1'000'000}},
+                                      {"--seeds", &a.seeds, "number of runs", Between{1, 10'000}}};
+                            });
 }
 
 }  // namespace jetlag

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "studies/speed_against_error.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,6 +16,7 @@
 #include "scenes/parts.hpp"
 #include "studies/competitors.hpp"
 #include "studies/processor_time.hpp"
+#include "studies/studies.hpp"
 #include "studies/test_problems.hpp"
 #include "studies/work_precision_chart.hpp"
 
@@ -258,27 +257,18 @@ std::vector<std::string> names_of_families() {
 
 }  // namespace
 
-void add_speed_against_error(CLI::App& study, std::optional<Study>& chosen) {
-  auto* command = study.add_subcommand("speed_against_error",
-                                       "work against error of all methods, as tables, CSV and pictures");
-  auto arguments = std::make_shared<Arguments>();
-  command->add_option("--problem", arguments->problems, "only these problems")
-      ->check(CLI::IsMember(names_of_problems()));
-  command->add_option("--scene", arguments->scenes,
-                      "a built-in scene or a JSON file; its own method is not used");
-  command->add_option("--family", arguments->families, "only these families of methods")
-      ->check(CLI::IsMember(names_of_families()));
-  command->add_option("--seeds", arguments->seeds, "runs of each random method")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  command->add_option("--steps", arguments->steps, "step lengths, each half of the one before")
-      ->check(CLI::Range(1, 20))
-      ->capture_default_str();
-  command->add_option("--limit", arguments->limit, "processor time after which a run is stopped [s]")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command->add_option("--out", arguments->folder, "folder for tables and pictures")->capture_default_str();
-  command->callback([&chosen, arguments] { chosen = [arguments] { return run_study(*arguments); }; });
+Command speed_against_error_study() {
+  return command<Arguments>(
+      "speed_against_error", "work against error of all methods, as tables, CSV and pictures", run_study,
+      [](Arguments& a) -> std::vector<Option> {
+        return {{"--problem", &a.problems, "only these problems", names_of_problems()},
+                {"--scene", &a.scenes, "a built-in scene or a JSON file; its own method is not used"},
+                {"--family", &a.families, "only these families of methods", names_of_families()},
+                {"--seeds", &a.seeds, "runs of each random method", Between{1, 1000}},
+                {"--steps", &a.steps, "step lengths, each half of the one before", Between{1, 20}},
+                {"--limit", &a.limit, "processor time after which a run is stopped [s]", Positive{}},
+                {"--out", &a.folder, "folder for tables and pictures"}};
+      });
 }
 
 }  // namespace jetlag

@@ -48,14 +48,17 @@ const std::vector<Room> house = {
      {"base", "tape", "model", "motion", "truncation", "control", "integrators", "ensembles", "schedule",
       "output", "pictures", "scenes"},
      {"base"}},
+    {"command_line", {"scenes"}},
     {"studies",
      {"base", "tape", "forces", "model", "motion", "truncation", "control", "integrators", "ensembles",
       "schedule", "output", "pictures", "scenes", "runs"},
-     {"pictures", "scenes"}},
-    // The program, and the umbrella header, which nobody in the house includes.
-    {"src/main.cpp",
-     {"base", "motion", "model", "control", "scenes", "runs", "studies"},
-     {"scenes", "studies"}},
+     {"pictures", "scenes", "command_line"}},
+    {"program",
+     {"tape", "model", "motion", "truncation", "control", "output", "scenes", "runs"},
+     {"pictures", "scenes", "command_line"}},
+    // The two programs, and the umbrella header, which nobody in the house includes.
+    {"src/main.cpp", {"model"}, {"program"}},
+    {"src/study.cpp", {}, {"studies"}},
     {"include/jetlag/jetlag.hpp",
      {"base", "series", "tape", "forces", "model", "motion", "truncation", "control", "integrators",
       "ensembles", "schedule"}},
@@ -213,9 +216,9 @@ TEST(House, HasNoArrowsInACircle) {
 TEST_F(SmallHouse, MayIncludeItsOwnRoomAndThoseAllowed) {
   header("jetlag", "#include \"jetlag/model/system.hpp\"\n");
   header("model/kinks", "#include <jetlag/model/system.hpp>\n#include \"jetlag/version.hpp\"\n");
-  source("main", "#include \"jetlag/model/system.hpp\"\n#include \"studies/body.hpp\"\n");
+  source("main", "#include \"jetlag/model/system.hpp\"\n#include \"program/body.hpp\"\n");
   source("model/inner", "#include \"model/lists.hpp\"\n");
-  write("src/studies/body.hpp", "// SPDX-License-Identifier: MIT\n#pragma once\n");
+  write("src/program/body.hpp", "// SPDX-License-Identifier: MIT\n#pragma once\n");
   write("src/model/lists.hpp", "// SPDX-License-Identifier: MIT\n#pragma once\n");
   EXPECT_THAT(offences(root), IsEmpty());
 }

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "studies/ensemble_command.hpp"
-
-#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <memory>
 #include <thread>
 
+#include "command_line/interruption.hpp"
 #include "jetlag/runs/run_ensemble.hpp"
 #include "jetlag/tape/kernels.hpp"
-#include "studies/command_line.hpp"
+#include "program/commands.hpp"
+#include "program/scene_arguments.hpp"
 
 namespace jetlag {
 
@@ -50,7 +49,7 @@ void print(const EnsembleResult& result, const std::filesystem::path& folder) {
     if (std::filesystem::exists(folder / name)) std::printf("  %s\n", (folder / name).string().c_str());
 }
 
-int run(const Arguments& arguments) {
+int run_it(const Arguments& arguments) {
   const Scene scene = arguments.scene.load();
   kernels<double>();  // a wrong JETLAG_INSTRUCTION_SET is bad input: said before anything is written
   std::filesystem::path folder = arguments.folder;
@@ -86,22 +85,22 @@ int run(const Arguments& arguments) {
 
 }  // namespace
 
-void add_ensemble(CLI::App& app, std::optional<Study>& chosen) {
-  auto* command = app.add_subcommand("ensemble", "run many members of a scene and say how they spread");
-  auto arguments = std::make_shared<Arguments>();
-  EnsembleOptions& options = arguments->options;
-  options.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  arguments->scene.add_to(*command);
-  command->add_option("--members", options.members, "number of members")->capture_default_str();
-  command->add_option("--threads", options.threads, "threads; the result does not depend on their number")
-      ->capture_default_str();
-  command->add_option("--watch", options.watch,
-                      "what the picture shows: PARTICLE or PARTICLE.COMPONENT, 17.y");
-  command->add_option("--perturb", options.perturbation, "standard deviation of the initial positions [m]");
-  command->add_flag("--velocities", options.velocities, "velocities in ensemble.csv too");
-  add_out(*command, arguments->folder, "folder for the results (default: out/SCENE_ensemble)");
-  command->add_flag("--quiet", arguments->quiet, "no progress, no report");
-  command->callback([&chosen, arguments] { chosen = [arguments] { return run(*arguments); }; });
+Command ensemble_command() {
+  Arguments defaults;
+  defaults.options.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  return command<Arguments>(
+      "ensemble", "run many members of a scene and say how they spread", run_it,
+      [](Arguments& a) {
+        return a.scene.options(
+            {{"--members", &a.options.members, "number of members"},
+             {"--threads", &a.options.threads, "threads; the result does not depend on their number"},
+             {"--watch", &a.options.watch, "what the picture shows: PARTICLE or PARTICLE.COMPONENT, 17.y"},
+             {"--perturb", &a.options.perturbation, "standard deviation of the initial positions [m]"},
+             {"--velocities", &a.options.velocities, "velocities in ensemble.csv too"},
+             {"--out", &a.folder, "folder for the results (default: out/SCENE_ensemble)"},
+             {"--quiet", &a.quiet, "no progress, no report"}});
+      },
+      defaults);
 }
 
 }  // namespace jetlag

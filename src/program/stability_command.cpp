@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "studies/stability.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -9,7 +7,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 
 #include "jetlag/output/files.hpp"
 #include "jetlag/scenes/error.hpp"
@@ -17,6 +14,7 @@
 #include "jetlag/truncation/stability.hpp"
 #include "pictures/colours.hpp"
 #include "pictures/gnuplot.hpp"
+#include "program/commands.hpp"
 
 namespace jetlag {
 
@@ -28,6 +26,9 @@ struct Arguments {
   std::vector<double> tail;
   std::string law = "geometric", velocity = "own_series";
   std::filesystem::path folder = "out/stability";
+  struct {
+    bool min = false, max = false, probability = false, mean = false, tail = false;
+  } given;
 };
 
 struct Question {
@@ -38,6 +39,18 @@ constexpr std::array questions = {
     Question{Growth::of_mean, "mean", "T_N, the mean of many runs"},
     Question{Growth::mean_square, "mean_square", "mean square, independent draws"},
     Question{Growth::almost_sure, "almost_sure", "almost sure, and the ruler"}};
+
+/// Options that say nothing of the law that is asked for must be left out.
+void require_options_of_law(const Arguments& arguments) {
+  const auto& given = arguments.given;
+  const bool tail = arguments.law == "tail";
+  for (const auto& [option, stray] : {std::pair("--min", given.min && tail),
+                                      {"--max", given.max && tail},
+                                      {"--probability", given.probability && arguments.law != "geometric"},
+                                      {"--mean", given.mean && arguments.law != "poisson"},
+                                      {"--tail", given.tail && !tail}})
+    if (stray) throw SceneError(fmt::format("{}: must be left out with --law {}", option, arguments.law));
+}
 
 TruncationLaw law_of(const Arguments& arguments) {
   if (arguments.law == "tail") {
@@ -130,6 +143,7 @@ void draw(const std::filesystem::path& picture, const std::string& title, const 
 }
 
 int run_stability(const Arguments& arguments) {
+  require_options_of_law(arguments);
   const TruncationLaw law = law_of(arguments);
   const bool own = arguments.velocity == "own_series";
   const VelocitySeries velocity = own ? VelocitySeries::own_series : VelocitySeries::derivative;
@@ -180,42 +194,24 @@ int run_stability(const Arguments& arguments) {
 
 }  // namespace
 
-void add_stability(CLI::App& app, std::optional<Study>& chosen) {
-  auto* command =
-      app.add_subcommand("stability", "where series of a random degree are stable: limits and a picture");
-  auto arguments = std::make_shared<Arguments>();
-  command->add_option("--min", arguments->min, "the smallest degree")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
-  command->add_option("--max", arguments->max, "the largest degree")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
-  command->add_option("--probability", arguments->probability, "of stopping at each degree")
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str();
-  command->add_option("--law", arguments->law, "of the degree")
-      ->check(CLI::IsMember({"geometric", "poisson", "tail"}))
-      ->capture_default_str();
-  command->add_option("--mean", arguments->mean, "with poisson: of the degrees beyond --min")
-      ->capture_default_str();
-  command->add_option("--tail", arguments->tail, "with tail: P(K >= 0), P(K >= 1), ...")->delimiter(',');
-  command->add_option("--velocity", arguments->velocity, "its series")
-      ->check(CLI::IsMember({"own_series", "derivative"}))
-      ->capture_default_str();
-  command->add_option("--out", arguments->folder, "folder for stability.csv and stability.svg")
-      ->capture_default_str();
-  command->callback([&chosen, arguments, command] {
-    const std::string law = arguments->law;
-    for (const auto& [option, owners] :
-         {std::pair<const char*, std::vector<std::string>>{"--min", {"geometric", "poisson"}},
-          {"--max", {"geometric", "poisson"}},
-          {"--probability", {"geometric"}},
-          {"--mean", {"poisson"}},
-          {"--tail", {"tail"}}})
-      if (command->count(option) > 0 && std::ranges::find(owners, law) == owners.end())
-        throw CLI::ValidationError(option, std::string("must be left out with --law ") + law);
-    chosen = [arguments] { return run_stability(*arguments); };
-  });
+Command stability_command() {
+  return command<Arguments>(
+      "stability", "where series of a random degree are stable: limits and a picture", run_stability,
+      [](Arguments& a) -> std::vector<Option> {
+        const auto watched = [](Option option, bool& given) {
+          option.given = &given;
+          return option;
+        };
+        return {watched({"--min", &a.min, "the smallest degree", Between{1, 256}}, a.given.min),
+                watched({"--max", &a.max, "the largest degree", Between{1, 256}}, a.given.max),
+                watched({"--probability", &a.probability, "of stopping at each degree", Between{0, 1}},
+                        a.given.probability),
+                {"--law", &a.law, "of the degree", OneOf{"geometric", "poisson", "tail"}},
+                watched({"--mean", &a.mean, "with poisson: of the degrees beyond --min"}, a.given.mean),
+                watched({"--tail", &a.tail, "with tail: P(K >= 0), P(K >= 1), ..."}, a.given.tail),
+                {"--velocity", &a.velocity, "its series", OneOf{"own_series", "derivative"}},
+                {"--out", &a.folder, "folder for stability.csv and stability.svg"}};
+      });
 }
 
 }  // namespace jetlag

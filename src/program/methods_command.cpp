@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "studies/methods_command.hpp"
-
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 
 #include "jetlag/output/files.hpp"
+#include "jetlag/scenes/error.hpp"
+#include "program/commands.hpp"
 #include "scenes/methods/methods.hpp"
 
 namespace jetlag {
@@ -33,7 +31,9 @@ void write_all(const std::filesystem::path& folder) {
   std::printf("%s and %zu pages\n", index.string().c_str(), method_pages().size());
 }
 
-int run(const Arguments& arguments) {
+int run_it(const Arguments& arguments) {
+  if (!arguments.folder.empty() && !arguments.name.empty())
+    throw SceneError("--out: writes the pages of all methods; leave out the name " + arguments.name);
   if (!arguments.folder.empty())
     write_all(arguments.folder);
   else if (!arguments.name.empty())
@@ -45,13 +45,13 @@ int run(const Arguments& arguments) {
 
 }  // namespace
 
-void add_methods(CLI::App& app, std::optional<Study>& chosen) {
-  auto* command = app.add_subcommand("methods", "list the methods, or print the page of one");
-  auto arguments = std::make_shared<Arguments>();
-  auto* name = command->add_option("name", arguments->name, "of a method, as in a scene");
-  command->add_option("--out", arguments->folder, "folder for the pages of all methods and an index.md")
-      ->excludes(name);
-  command->callback([&chosen, arguments] { chosen = [arguments] { return run(*arguments); }; });
+Command methods_command() {
+  return command<Arguments>(
+      "methods", "list the methods, or print the page of one", run_it,
+      [](Arguments& a) -> std::vector<Option> {
+        return {{"name", &a.name, "of a method, as in a scene"},
+                {"--out", &a.folder, "folder for the pages of all methods and an index.md"}};
+      });
 }
 
 }  // namespace jetlag

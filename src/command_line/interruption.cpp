@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "studies/command_line.hpp"
+#include "command_line/interruption.hpp"
 
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <atomic>
-#include <charconv>
 #include <csignal>
 #include <cstdio>
-
-#include "jetlag/scenes/error.hpp"
 
 namespace jetlag {
 
@@ -32,28 +28,6 @@ void stop_in_good_order() {
 }
 
 bool stop_requested() { return stop; }
-
-void add_out(CLI::App& command, std::filesystem::path& folder, const std::string& description) {
-  command.add_option("--out", folder, description)->check([](const std::string& name) {
-    return name.empty() ? std::string("got \"\"; must be the name of a folder") : std::string();
-  });
-}
-
-void SceneArguments::add_to(CLI::App& command) {
-  command.add_option("scene", scene, "a built-in scene or a JSON file")->required();
-  command.add_option("--set", settings, "replace a value: key.path=value, may be repeated")
-      ->allow_extra_args(false);
-  command.add_option("--seed", seed, "seed of the random numbers");
-}
-
-Scene SceneArguments::load() const {
-  if (seed.empty()) return load_scene(scene, settings);
-  std::uint64_t number = 0;
-  const auto [end, error] = std::from_chars(seed.data(), seed.data() + seed.size(), number);
-  if (error != std::errc() || end != seed.data() + seed.size())
-    throw SceneError("--seed: got " + seed + "; must be a whole number from 0 to 18446744073709551615");
-  return load_scene(scene, settings, number);
-}
 
 ProgressLine::ProgressLine(bool quiet)
     : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0), start_(Clock::now()), last_(start_) {}
