@@ -10,6 +10,7 @@
 #include <limits>
 #include <memory>
 
+#include "jetlag/base/text.hpp"
 #include "jetlag/model/energy.hpp"
 #include "jetlag/output/files.hpp"
 #include "jetlag/scenes/error.hpp"

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "jetlag/base/text.hpp"
 #include "jetlag/output/files.hpp"
 #include "jetlag/scenes/error.hpp"
 #include "jetlag/truncation/poisson.hpp"
