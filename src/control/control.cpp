@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "jetlag/base/text.hpp"
+
 namespace jetlag {
 
 namespace {
@@ -72,7 +74,7 @@ double largest_position_bias(const Prospect& prospect, double h) {
 
 void require_positive(const char* what, double x, bool may_be_infinite) {
   if (!(x > 0.0) || (std::isinf(x) && !may_be_infinite))
-    throw std::invalid_argument(std::string(what) + " must be > 0, got " + std::to_string(x));
+    throw std::invalid_argument(std::string(what) + " must be > 0, got " + shown(x));
 }
 
 }  // namespace jetlag

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "jetlag/base/text.hpp"
 #include "jetlag/forces/drag.hpp"
 
 namespace jetlag {
@@ -87,7 +88,7 @@ std::vector<double> courant_steps_of_particles(const System<double>& system, con
 
 void require_courant(double safety, double limit) {
   if (!(safety > 0.0 && safety <= 1.0))
-    throw std::invalid_argument("courant must be in (0, 1], got " + std::to_string(safety));
+    throw std::invalid_argument("courant must be in (0, 1], got " + shown(safety));
   if (!(limit > 0.0))
     throw std::invalid_argument(
         "courant: this truncation is unstable for undamped oscillations at every step; add drag, or take "

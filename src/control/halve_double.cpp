@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "jetlag/base/text.hpp"
+
 namespace jetlag {
 
 HalveDouble::HalveDouble(double step, double max_step, double min_variance, double max_variance,
@@ -16,9 +18,9 @@ HalveDouble::HalveDouble(double step, double max_step, double min_variance, doub
   if (step > max_step) throw std::invalid_argument("step must not exceed max_step");
   const double ratio = std::pow(4.0, min_degree + 1);
   if (!(max_variance / min_variance > ratio))
-    throw std::invalid_argument(
-        "max_variance / min_variance must exceed 4^(min_degree+1) = " + std::to_string(ratio) +
-        ", or the step is halved and doubled for ever; got " + std::to_string(max_variance / min_variance));
+    throw std::invalid_argument("max_variance / min_variance must exceed 4^(min_degree+1) = " + shown(ratio) +
+                                ", or the step is halved and doubled for ever; got " +
+                                shown(max_variance / min_variance));
 }
 
 double HalveDouble::propose(const Prospect& prospect) {

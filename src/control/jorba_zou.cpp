@@ -8,11 +8,13 @@
 #include <numbers>
 #include <vector>
 
+#include "jetlag/base/text.hpp"
+
 namespace jetlag {
 
 int jorba_zou_degree(double tolerance) {
   if (!(tolerance > 0.0 && tolerance < 1.0))
-    throw std::invalid_argument("tolerance must be in (0, 1), got " + std::to_string(tolerance));
+    throw std::invalid_argument("tolerance must be in (0, 1), got " + shown(tolerance));
   return std::max(2, static_cast<int>(std::ceil(1.0 - 0.5 * std::log(tolerance))));
 }
 

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "base/pool.hpp"
+#include "jetlag/base/text.hpp"
 #include "jetlag/control/fixed_step.hpp"
 
 namespace jetlag {
@@ -147,8 +148,8 @@ std::uint64_t member_seed(std::uint64_t seed, std::uint64_t member) {
 
 Report step_limit(std::uint64_t max_steps, double time) {
   return {Outcome::step_limit,
-          "the largest number of steps, " + std::to_string(max_steps) +
-              ", is used up at t = " + std::to_string(time) + "; allow more or take longer steps",
+          "the largest number of steps, " + std::to_string(max_steps) + ", is used up at t = " + shown(time) +
+              "; allow more or take longer steps",
           -1};
 }
 

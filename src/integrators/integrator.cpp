@@ -2,19 +2,13 @@
 #include "jetlag/integrators/integrator.hpp"
 
 #include <algorithm>
-#include <sstream>
 #include <utility>
+
+#include "jetlag/base/text.hpp"
 
 namespace jetlag {
 
 namespace {
-
-std::string number(double x) {
-  std::ostringstream out;
-  out.precision(10);
-  out << x;
-  return out.str();
-}
 
 /// The first row with an entry that is not finite; -1 when there is none.
 template <class M>
@@ -32,7 +26,7 @@ Report step_underflow(const Expansion<double>& series, double h) {
   if (series.particles() > 0) series.velocity(0).rowwise().squaredNorm().maxCoeff(&fastest);
   return {
       Outcome::step_underflow,
-      "step " + number(h) + " at t = " + number(series.time()) + " no longer changes the time; particle " +
+      "step " + shown(h) + " at t = " + shown(series.time()) + " no longer changes the time; particle " +
           std::to_string(fastest) +
           " is the fastest: particles collide, a tolerance is too small or the time too large; soften the " +
           "force, loosen the tolerance or count the time from a later origin",
@@ -48,7 +42,7 @@ bool all_finite(const Coordinates<double>& position, const Coordinates<double>& 
   const int bad = std::max(first_not_finite(position), first_not_finite(velocity));
   if (bad < 0) return true;
   report = {Outcome::non_finite,
-            "the state after the step from t = " + number(time) + " is not finite at particle " +
+            "the state after the step from t = " + shown(time) + " is not finite at particle " +
                 std::to_string(bad) +
                 ": the step is too long for this motion; take a shorter step or a control",
             bad};
@@ -63,7 +57,7 @@ bool in_range(const State<double>& state, double largest, double begin, Report& 
       if (!(rows->row(i).cwiseAbs().maxCoeff() < largest)) {
         report = {Outcome::non_finite,
                   "the " + std::string(of) + " of particle " + std::to_string(i) +
-                      " after the step from t = " + number(begin) + " is beyond " + number(largest) +
+                      " after the step from t = " + shown(begin) + " is beyond " + shown(largest) +
                       ", where squares overflow: the motion has blown up; take a shorter step or a smaller "
                       "tolerance",
                   i};
@@ -78,7 +72,7 @@ bool all_finite(const Expansion<double>& series, Report& report) {
     if (bad < 0) continue;
     report = {Outcome::non_finite,
               "coefficient " + std::to_string(k) + " of the motion of particle " + std::to_string(bad) +
-                  " is not finite at t = " + number(series.time()) +
+                  " is not finite at t = " + shown(series.time()) +
                   ": the force is singular there (particles that coincide?), or the motion has blown up; "
                   "separate the "
                   "particles, soften the force or take a shorter step",

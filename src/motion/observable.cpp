@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "jetlag/base/rounded_time.hpp"
+#include "jetlag/base/text.hpp"
 #include "jetlag/series/calculus/roots.hpp"
 
 namespace jetlag {
@@ -151,8 +152,7 @@ std::vector<Crossing> crossings(const Piece& piece, const Observable& g) {
   std::vector<LocalSeries> series = ObservableSeries(g).along(piece);
   for (const LocalSeries& part : series)
     if (!part.is_finite())
-      throw std::invalid_argument("crossings: the observable has no series at t = " +
-                                  std::to_string(part.begin));
+      throw std::invalid_argument("crossings: the observable has no series at t = " + shown(part.begin));
   return crossings(series);
 }
 

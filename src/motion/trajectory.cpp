@@ -2,20 +2,14 @@
 #include "jetlag/motion/trajectory.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <stdexcept>
 #include <string>
+
+#include "jetlag/base/text.hpp"
 
 namespace jetlag {
 
 namespace {
-
-/// The shortest text that reads back to the same double.
-std::string number(double x) {
-  std::array<char, 32> text;
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
-}
 
 [[noreturn]] void refuse(const std::string& why) { throw std::invalid_argument("Trajectory: " + why); }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "jetlag/output/clocks.hpp"
 
+#include "jetlag/base/text.hpp"
 #include "jetlag/output/files.hpp"
 
 namespace jetlag {

@@ -4,12 +4,12 @@
 
 #include <cmath>
 
+#include "jetlag/base/text.hpp"
 #include "jetlag/output/files.hpp"
 
 namespace jetlag {
 
 void write_energy_csv(const std::filesystem::path& path, const std::vector<EnergyRow>& rows) {
-  const auto field = [](double value) { return std::isfinite(value) ? number(value) : ""; };
   std::string table = "time,kinetic,potential,total,relative_error\n";
   for (const auto& [time, energy, relative_error] : rows)
     table += field(time) + ',' + field(energy.kinetic) + ',' + field(energy.potential) + ',' +

@@ -9,7 +9,6 @@
 
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <cstdio>
 #include <stdexcept>
 #include <system_error>
@@ -99,12 +98,6 @@ std::string read_file(const fs::path& path) {
   ::close(file);
   if (size == -1) fail("cannot read", path, error);
   return text;
-}
-
-std::string number(double value) {
-  std::array<char, 32> text;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  return {text.data(), end};
 }
 
 }  // namespace jetlag

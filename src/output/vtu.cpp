@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "jetlag/base/text.hpp"
 #include "jetlag/output/files.hpp"
 
 namespace jetlag {

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <optional>
 
+#include "jetlag/base/text.hpp"
 #include "jetlag/output/files.hpp"
 #include "jetlag/pictures/pictures.hpp"
 #include "pictures/axes.hpp"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "jetlag/base/text.hpp"
 #include "jetlag/output/ensemble_table.hpp"
-#include "jetlag/output/files.hpp"
 #include "pictures/axes.hpp"
 #include "pictures/gnuplot.hpp"
 
@@ -28,9 +28,9 @@ bool is_narrow(const EnsembleResult& result, std::size_t watched) {
   return width < (most - least) / 50;
 }
 
-std::string field(double value) { return std::isfinite(value) ? number(value) : "NaN"; }
+std::string plotted(double value) { return std::isfinite(value) ? number(value) : "NaN"; }
 /// For logarithmic axes.
-std::string positive(double value) { return value > 0 ? field(value) : "NaN"; }
+std::string positive(double value) { return value > 0 ? plotted(value) : "NaN"; }
 
 std::string line(int column, const std::string& title, const Colour& colour, double width,
                  const std::string& dash = "") {
@@ -51,9 +51,9 @@ void draw_ensemble(const std::filesystem::path& picture, const EnsembleResult& r
   bool reference = false, errors = false, deterministic = false;
   for (const EnsembleFrame& frame : result.frames) {
     const double truth = frame.reference[watched], origin = narrow ? truth : 0.0;
-    table += field(frame.time);
-    for (const double quantile : frame.samples[watched].quantiles) table += ',' + field(quantile - origin);
-    table += ',' + field(truth - origin);
+    table += plotted(frame.time);
+    for (const double quantile : frame.samples[watched].quantiles) table += ',' + plotted(quantile - origin);
+    table += ',' + plotted(truth - origin);
     const Calibration& c = frame.calibration;
     for (const double value : {c.spread, c.mean_error, c.deterministic_error}) table += ',' + positive(value);
     table += '\n';

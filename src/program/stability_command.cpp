@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "jetlag/base/text.hpp"
 #include "jetlag/output/files.hpp"
 #include "jetlag/scenes/error.hpp"
 #include "jetlag/truncation/poisson.hpp"

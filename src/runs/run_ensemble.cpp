@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "base/pool.hpp"
+#include "jetlag/base/text.hpp"
 #include "jetlag/control/jorba_zou.hpp"
 #include "jetlag/model/energy.hpp"
 #include "jetlag/output/files.hpp"

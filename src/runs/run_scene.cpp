@@ -7,6 +7,7 @@
 #include <optional>
 #include <sstream>
 
+#include "jetlag/base/text.hpp"
 #include "jetlag/integrators/integrator.hpp"
 #include "jetlag/output/clocks.hpp"
 #include "jetlag/output/files.hpp"

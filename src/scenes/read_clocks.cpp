@@ -11,7 +11,6 @@ namespace jetlag {
 
 namespace {
 
-constexpr int largest_degree = 256;
 constexpr double default_tolerance = 1e-9;  // [m]
 const Range at_least_one{1, infinite, true, false, "a number >= 1"};
 
@@ -22,7 +21,7 @@ struct Degrees {
 };
 
 /// Steps follow from the last two coefficients, so degree 3 is the least.
-Degrees read_degrees(const Value& integrator) {
+Degrees read_clock_degrees(const Value& integrator) {
   const std::string type = integrator.at("type").text();
   if (integrator.has("compensated") && integrator.at("compensated").boolean())
     integrator.at("compensated")
@@ -99,7 +98,7 @@ Method read_clocks(const Value& scene, const Value& schedule, std::shared_ptr<co
     schedule.only({"type", "max_steps", "threads", "tolerance", "max_step", "grading", "notify"});
   const Value integrator = scene.at("integrator");
   if (!integrator.is_object()) integrator.refuse("an object with a type");
-  const Degrees degrees = read_degrees(integrator);
+  const Degrees degrees = read_clock_degrees(integrator);
 
   ClockOptions common;
   common.velocity =

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "jetlag/base/text.hpp"
 #include "jetlag/forces/forces.hpp"
 #include "jetlag/model/element_blocks.hpp"
 #include "jetlag/model/energy.hpp"
@@ -75,9 +76,8 @@ void require_memory(const System<double>& system, int degree, const Value& parti
   const double memory =
       static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
   if (bytes > 0.8 * memory)
-    throw SceneError(particles.path() + ": the series of this scene would take " +
-                     std::to_string(bytes / 1e9) + " GB; must be below 80 % of the memory of this machine, " +
-                     std::to_string(memory / 1e9) +
+    throw SceneError(particles.path() + ": the series of this scene would take " + shown(bytes / 1e9) +
+                     " GB; must be below 80 % of the memory of this machine, " + shown(memory / 1e9) +
                      " GB; take fewer particles, fewer forces or a smaller degree");
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "jetlag/base/text.hpp"
 #include "schedule/local_motion.hpp"
 
 namespace jetlag {
@@ -24,7 +25,7 @@ Ticks::Count times(double factor, Ticks::Count ticks) {
 Asynchronous::Asynchronous(const System<double>& system, TruncationLaw law, const Options& options)
     : ClockSchedule(system, std::move(law), options), grading_(options.grading), notify_(options.notify) {
   if (!(grading_ >= 1))
-    throw std::invalid_argument("Asynchronous: grading must be at least 1, got " + std::to_string(grading_));
+    throw std::invalid_argument("Asynchronous: grading must be at least 1, got " + shown(grading_));
   require_positive("Asynchronous: notify", notify_, true);
   overlap_ = std::min(0.5, 5.0 / motion_->degree());
 }

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "jetlag/base/text.hpp"
 #include "jetlag/control/courant.hpp"
 #include "jetlag/schedule/avi.hpp"
 #include "schedule/nested_steps.hpp"
@@ -57,7 +58,7 @@ ElementSteps equal_steps(const System<double>& system, double step) {
 
 ElementSteps courant_steps(const System<double>& system, double fraction) {
   if (!(fraction > 0 && fraction <= 1))
-    throw std::invalid_argument("courant must be in (0, 1], got " + std::to_string(fraction));
+    throw std::invalid_argument("courant must be in (0, 1], got " + shown(fraction));
   constexpr double unlimited = std::numeric_limits<double>::infinity();
   ElementSteps steps = equal_steps(system, unlimited);
   double longest = 0;

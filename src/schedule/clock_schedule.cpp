@@ -6,6 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "jetlag/base/text.hpp"
 #include "schedule/frames.hpp"
 #include "schedule/local_motion.hpp"
 
@@ -82,7 +83,7 @@ Report ClockSchedule::run(State<double>& state, double until, const RunOptions& 
       hand_out(motion_->at_tick(now));
       return {Outcome::step_limit,
               "the largest number of steps, " + std::to_string(options.max_steps) +
-                  ", is used up at t = " + std::to_string(state.time) + "; allow more or take longer steps",
+                  ", is used up at t = " + shown(state.time) + "; allow more or take longer steps",
               -1};
     }
     Report report;
@@ -105,7 +106,7 @@ Report ClockSchedule::run(State<double>& state, double until, const RunOptions& 
     }
     if (!go_on) {
       hand_out(at_end());
-      return {Outcome::interrupted, "stopped at t = " + std::to_string(state.time), -1};
+      return {Outcome::interrupted, "stopped at t = " + shown(state.time), -1};
     }
   }
   frames.up_to(until, [&](double t) { return motion_->at(t); });

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "jetlag/base/text.hpp"
 #include "schedule/frames.hpp"
 
 namespace jetlag {
@@ -54,14 +55,14 @@ Report EventDriven::run(State<double>& state, double until, const RunOptions& op
     }
     if (!go_on) {
       hand_out(end);
-      return {Outcome::interrupted, "stopped at t = " + std::to_string(state.time), -1};
+      return {Outcome::interrupted, "stopped at t = " + shown(state.time), -1};
     }
     if (!(reach() <= until)) break;
     if (step == options.max_steps) {
       hand_out(end);
       return {Outcome::step_limit,
               "the largest number of steps, " + std::to_string(options.max_steps) +
-                  ", is used up at t = " + std::to_string(state.time) + "; allow more or " + advice_,
+                  ", is used up at t = " + shown(state.time) + "; allow more or " + advice_,
               -1};
     }
     start = end;

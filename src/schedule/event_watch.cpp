@@ -2,13 +2,12 @@
 #include "schedule/event_watch.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
 #include "jetlag/base/rounded_time.hpp"
+#include "jetlag/base/text.hpp"
 #include "jetlag/series/calculus/roots.hpp"
 
 namespace jetlag {
@@ -22,12 +21,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// such steps in a row are Zeno's.
 constexpr double instant = 0x1p-36;
 constexpr int most_instants = 100;
-
-/// The shortest text that reads back to the same double.
-std::string number(double x) {
-  std::array<char, 32> text;
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
-}
 
 int sign(double x) { return (x > 0) - (x < 0); }
 

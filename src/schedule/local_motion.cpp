@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "jetlag/base/text.hpp"
 #include "jetlag/control/courant.hpp"
 #include "jetlag/series/calculus/polynomial.hpp"
 #include "jetlag/truncation/draws.hpp"
@@ -104,7 +105,7 @@ bool LocalMotion::finite_series(const double* c, int particle, Count now, Report
     if (std::isfinite(c[i])) continue;
     report = {Outcome::non_finite,
               "coefficient " + std::to_string(i / stride_) + " of the motion of particle " +
-                  std::to_string(particle) + " is not finite at t = " + std::to_string(ticks_.time(now)) +
+                  std::to_string(particle) + " is not finite at t = " + shown(ticks_.time(now)) +
                   ": the force is singular there (particles that coincide?), or the motion has blown up; "
                   "separate the particles, soften the force or take a smaller tolerance",
               particle};

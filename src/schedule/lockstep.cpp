@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "jetlag/base/text.hpp"
 #include "schedule/event_watch.hpp"
 #include "schedule/frames.hpp"
 
@@ -40,7 +41,7 @@ Report Lockstep::run(State<double>& state, double until, const RunOptions& optio
     if (step >= options.max_steps)
       return {Outcome::step_limit,
               "the largest number of steps, " + std::to_string(options.max_steps) +
-                  ", is used up at t = " + std::to_string(state.time) + "; allow more or take longer steps",
+                  ", is used up at t = " + shown(state.time) + "; allow more or take longer steps",
               -1};
     Report report;
     const double begin = state.time, limit = (until - begin) - lost, lost_before = lost;
@@ -71,7 +72,7 @@ Report Lockstep::run(State<double>& state, double until, const RunOptions& optio
     const bool go_on = (!options.after_step || options.after_step({*integrator_, state, begin})) &&
                        (!options.go_on || options.go_on(state.time));
     if (report.outcome == Outcome::event) return report;
-    if (!go_on) return {Outcome::interrupted, "stopped at t = " + std::to_string(state.time), -1};
+    if (!go_on) return {Outcome::interrupted, "stopped at t = " + shown(state.time), -1};
   }
   return {};
 }

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "jetlag/base/text.hpp"
 #include "jetlag/control/courant.hpp"
 
 namespace jetlag {
@@ -24,8 +25,8 @@ class NestedSteps {
       throw std::invalid_argument(
           "without_resonance: no element has a stiffness, so that no frequency is known");
     if (!(shortest * omega < 2))
-      throw std::invalid_argument("without_resonance: the shortest step is " + std::to_string(shortest) +
-                                  "; must be below 2/omega = " + std::to_string(2 / omega));
+      throw std::invalid_argument("without_resonance: the shortest step is " + shown(shortest) +
+                                  "; must be below 2/omega = " + shown(2 / omega));
     const double omega_h = 2 / shortest * std::asin(shortest * omega / 2);
     while (2 * longest_ * omega_h <= most && 2 * longest_ * omega < 2) longest_ *= 2;
   }

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "jetlag/base/text.hpp"
 #include "jetlag/integrators/accelerations.hpp"
 #include "schedule/departure.hpp"
 #include "schedule/quantized_forces.hpp"
@@ -65,7 +66,7 @@ Qss::Qss(const System<double>& system, const Options& options)
   require_positive("quantum", options.quantum);
   require_positive("velocity_quantum", options.velocity_quantum);
   if (!(options.max_step > 0))
-    throw std::invalid_argument("qss: max_step must be > 0, got " + std::to_string(options.max_step));
+    throw std::invalid_argument("qss: max_step must be > 0, got " + shown(options.max_step));
   require_max_step(system, options.max_step);
   forces_ = std::make_unique<QuantizedForces>(
       system, options.order, [this](int kind, int particle, double time, double* to, std::size_t next) {

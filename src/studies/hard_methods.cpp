@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "jetlag/base/text.hpp"
 #include "jetlag/model/energy.hpp"
 #include "jetlag/output/files.hpp"
 #include "jetlag/scenes/error.hpp"

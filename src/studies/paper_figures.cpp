@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "jetlag/base/text.hpp"
 #include "jetlag/output/files.hpp"
 #include "jetlag/pictures/pictures.hpp"
 #include "jetlag/runs/run_scene.hpp"

@@ -6,6 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "jetlag/base/text.hpp"
 #include "jetlag/output/files.hpp"
 #include "jetlag/runs/run_scene.hpp"
 #include "studies/struck_body.hpp"

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "jetlag/base/text.hpp"
 #include "jetlag/control/fixed_step.hpp"
 #include "jetlag/forces/gravity.hpp"
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/model/energy.hpp"
-#include "jetlag/output/files.hpp"
 #include "jetlag/scenes/error.hpp"
 #include "studies/studies.hpp"
 

@@ -9,6 +9,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "jetlag/base/text.hpp"
 #include "jetlag/model/energy.hpp"
 #include "jetlag/output/files.hpp"
 #include "jetlag/pictures/pictures.hpp"
@@ -114,7 +115,6 @@ void print(const Row& row) {
 }
 
 std::string csv_of(const std::vector<Row>& rows) {
-  const auto field = [](double value) { return std::isfinite(value) ? number(value) : std::string(); };
   std::string csv =
       "family,method,step,seeds,failed,position_error,energy_error,element_coefficients,seconds,mean_"
       "degree\n";

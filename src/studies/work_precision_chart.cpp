@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "jetlag/output/files.hpp"
+#include "jetlag/base/text.hpp"
 #include "pictures/colours.hpp"
 #include "pictures/gnuplot.hpp"
 

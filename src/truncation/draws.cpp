@@ -5,6 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "jetlag/base/text.hpp"
 #include "truncation/philox.hpp"
 
 namespace jetlag {
@@ -39,7 +40,7 @@ Draws::Draws(Draw kind, const TruncationLaw* law, std::uint64_t seed, std::uint3
     if (law != nullptr &&
         law->at_least(law->max_degree()) < 0.99 * least_probability)  // which products of it may miss
       throw std::invalid_argument(law->name() + ": degree " + std::to_string(law->max_degree()) +
-                                  " has a probability below " + std::to_string(least_probability * 1e18) +
+                                  " has a probability below " + shown(least_probability * 1e18) +
                                   "e-18 and would never be drawn; take a smaller max_degree");
     return;
   }

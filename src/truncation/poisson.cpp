@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "jetlag/base/text.hpp"
+
 namespace jetlag {
 
 namespace {
@@ -29,7 +31,7 @@ TruncationLaw poisson(int min_degree, int max_degree, double mean) {
     throw std::invalid_argument("poisson: max_degree must be at least min_degree = " +
                                 std::to_string(min_degree) + ", got " + std::to_string(max_degree));
   if (!(mean > 0.0) || !std::isfinite(mean))
-    throw std::invalid_argument("poisson: mean must be > 0 and finite, got " + std::to_string(mean));
+    throw std::invalid_argument("poisson: mean must be > 0 and finite, got " + shown(mean));
   std::vector<double> tail(max_degree + 1, 1.0);
   for (int n = min_degree + 1; n <= max_degree; ++n) tail[n] = poisson_tail(mean, n - min_degree);
   return {"poisson", std::move(tail)};

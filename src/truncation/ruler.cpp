@@ -2,6 +2,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "jetlag/base/text.hpp"
 #include "jetlag/truncation/draws.hpp"
 #include "truncation/philox.hpp"
 
@@ -13,7 +14,7 @@ Ruler::Ruler(const TruncationLaw& law, bool scrambled) : min_(law.min_degree()),
     if (std::abs(base - whole) > 1e-12 * base || !(whole < 0x1p53))  // a few roundings of the tail
       throw std::invalid_argument(
           "ruler: the probability to go on to term " + std::to_string(n) + " is " +
-          std::to_string(law.at_least(n) / law.at_least(n - 1)) + ", one in " + std::to_string(base) +
+          shown(law.at_least(n) / law.at_least(n - 1)) + ", one in " + std::to_string(base) +
           "; must be one in 2, 3, 4 .. (a probability p to stop of 1/2, 2/3, 3/4 ..)");
     bases_.push_back(static_cast<std::uint64_t>(whole));
   }

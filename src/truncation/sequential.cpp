@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "jetlag/base/text.hpp"
 #include "jetlag/truncation/draws.hpp"
 
 namespace jetlag {
@@ -17,7 +18,7 @@ SequentialLaw::SequentialLaw(std::string name, int min_degree, int max_degree, d
     throw std::invalid_argument(name_ + ": max_degree must be at least 1 and min_degree = " +
                                 std::to_string(min_) + ", got " + std::to_string(max_));
   if (!(least_ > 0.0 && least_ <= 1.0))
-    throw std::invalid_argument(name_ + ": least must be in (0, 1], got " + std::to_string(least_));
+    throw std::invalid_argument(name_ + ": least must be in (0, 1], got " + shown(least_));
 }
 
 double SequentialLaw::go_on(int n, std::span<const double> sizes, double weight) const {
@@ -48,7 +49,7 @@ SequentialLaw sequential(int min_degree, int max_degree, double target, double l
     throw std::invalid_argument("sequential: min_degree must be at least 1, got " +
                                 std::to_string(min_degree));
   if (!(target > 0.0) || !std::isfinite(target))
-    throw std::invalid_argument("sequential: target must be > 0 and finite, got " + std::to_string(target));
+    throw std::invalid_argument("sequential: target must be > 0 and finite, got " + shown(target));
   const auto roulette = [target](int n, std::span<const double> sizes, double weight) {
     const auto size = [&](int k) { return k < 0 ? 0.0 : sizes[k]; };
     const double a = std::max(size(n - 1), size(n - 2)), b = std::max(size(n - 3), size(n - 4));

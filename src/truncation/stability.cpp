@@ -15,6 +15,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "jetlag/base/text.hpp"
+
 namespace jetlag {
 
 namespace {
@@ -177,7 +179,7 @@ void require_motion(const Oscillator& oscillator) {
   if (!(frequency >= 0 && damping >= 0 && std::isfinite(frequency) && std::isfinite(damping)) ||
       (frequency == 0 && damping == 0))
     throw std::invalid_argument("an oscillator's frequency and damping must be >= 0 and not both 0, got " +
-                                std::to_string(frequency) + " and " + std::to_string(damping));
+                                shown(frequency) + " and " + shown(damping));
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "jetlag/base/text.hpp"
+
 namespace jetlag {
 
 TruncationLaw::TruncationLaw(std::string name, std::vector<double> tail, Weighting weighting)
@@ -66,7 +68,7 @@ TruncationLaw geometric(int min_degree, int max_degree, double p) {
     throw std::invalid_argument("geometric: max_degree must be at least min_degree = " +
                                 std::to_string(min_degree) + ", got " + std::to_string(max_degree));
   if (!(p >= 0.0 && p <= 1.0))
-    throw std::invalid_argument("geometric: probability must be in [0, 1), got " + std::to_string(p));
+    throw std::invalid_argument("geometric: probability must be in [0, 1), got " + shown(p));
   if (p == 1.0 && min_degree != max_degree)
     throw std::invalid_argument(
         "geometric: probability 1 would never draw the terms above min_degree; take max_degree = min_degree "

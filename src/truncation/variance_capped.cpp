@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "jetlag/base/text.hpp"
+
 namespace jetlag {
 
 namespace {
@@ -47,7 +49,7 @@ TruncationLaw variance_capped(std::span<const double> terms, double max_variance
     if (!std::isfinite(terms[n])) refuse("term " + std::to_string(n) + " is not finite");
   while (count > 0 && terms[count - 1] == 0.0) --count;
   if (count < 2) refuse("a term other than 0 beyond term 0 is needed");
-  if (!(max_variance > 0.0)) refuse("max_variance must be > 0, got " + std::to_string(max_variance));
+  if (!(max_variance > 0.0)) refuse("max_variance must be > 0, got " + shown(max_variance));
   std::vector<double> ones;
   if (increments.empty()) increments = ones = linear_cost(static_cast<int>(count) - 1);
   if (increments.size() < count)

@@ -50,36 +50,6 @@ std::string failure(const fs::path& path) {
   return "none";
 }
 
-bool same_bits(double a, double b) {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-}
-
-double read(const std::string& text) { return std::strtod(text.c_str(), nullptr); }
-
-TEST(Number, ReadsBackToTheSameBits) {
-  std::mt19937_64 bits(1);
-  for (int i = 0; i < 100000; ++i) {
-    const auto value = std::bit_cast<double>(bits());
-    ASSERT_TRUE(!std::isfinite(value) || same_bits(read(number(value)), value)) << number(value);
-  }
-}
-
-TEST(Number, ReadsBackSubnormals) {
-  std::mt19937_64 bits(2);
-  for (int i = 0; i < 100000; ++i) {
-    const auto value = std::bit_cast<double>(bits() >> 12);
-    ASSERT_TRUE(same_bits(read(number(value)), value)) << number(value);
-  }
-  for (const double value : {0.0, -0.0, std::numeric_limits<double>::denorm_min()})
-    EXPECT_TRUE(same_bits(read(number(value)), value)) << number(value);
-}
-
-TEST(Number, IsShortest) {
-  EXPECT_EQ(number(0.1), "0.1");
-  EXPECT_EQ(number(5e-324), "5e-324");
-  EXPECT_EQ(number(9007199254740993.0), "9007199254740992");
-}
-
 using Files = Scratch;
 
 TEST_F(Files, HoldWhatWasWritten) {

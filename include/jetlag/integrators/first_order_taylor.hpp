@@ -17,13 +17,13 @@
 #include <functional>
 #include <limits>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "jetlag/base/outcome.hpp"
+#include "jetlag/base/text.hpp"
 #include "jetlag/control/jorba_zou.hpp"
 #include "jetlag/integrators/integrator.hpp"
 #include "jetlag/motion/first_order.hpp"
@@ -120,7 +120,7 @@ class FirstOrderTaylor {
     const T h = proposal(limit);
     if (h == T(0) || state.time + h == state.time) {
       report = {Outcome::step_underflow,
-                "step " + number(h) + " at t = " + number(state.time) +
+                "step " + shown(h) + " at t = " + shown(state.time) +
                     " no longer changes the time: the solution is singular there, or the time is too large; "
                     "end before it, or count the time from a later origin",
                 -1};
@@ -135,7 +135,7 @@ class FirstOrderTaylor {
       next_[i] = sum(state.y[i], change, next_rest_[i]);
       if (!finite(next_[i])) {
         report = {Outcome::non_finite,
-                  "y[" + std::to_string(i) + "] after the step from t = " + number(state.time) +
+                  "y[" + std::to_string(i) + "] after the step from t = " + shown(state.time) +
                       " is not finite: the solution has blown up; end before",
                   static_cast<int>(i)};
         return T(0);
@@ -166,7 +166,7 @@ class FirstOrderTaylor {
       if (n >= options.max_steps)
         return {Outcome::step_limit,
                 "the largest number of steps, " + std::to_string(options.max_steps) +
-                    ", is used up at t = " + number(state.time) + "; allow more",
+                    ", is used up at t = " + shown(state.time) + "; allow more",
                 -1};
       Report report;
       const T begin = state.time, limit = (until - begin) - lost;
@@ -174,7 +174,7 @@ class FirstOrderTaylor {
       if (report.outcome != Outcome::success) return report;
       state.time = h == limit ? until : sum(begin, T(h + lost), lost);
       if (options.after_step && !options.after_step({*this, state, begin}))
-        return {Outcome::interrupted, "stopped at t = " + number(state.time), -1};
+        return {Outcome::interrupted, "stopped at t = " + shown(state.time), -1};
     }
     return {};
   }
@@ -210,13 +210,6 @@ class FirstOrderTaylor {
   static bool finite(const T& x) {
     using std::isfinite;
     return isfinite(x);
-  }
-
-  static std::string number(const T& x) {
-    std::ostringstream out;
-    out.precision(10);
-    out << x;
-    return out.str();
   }
 
   /// a + b, and what its rounding has cut.         Source: Knuth, The Art of Computer Programming 2, 4.2.2, theorem B.
@@ -318,7 +311,7 @@ class FirstOrderTaylor {
         if (!finite(series_[i][k])) {
           report = {Outcome::non_finite,
                     "coefficient " + std::to_string(k) + " of y[" + std::to_string(i) +
-                        "] is not finite at t = " + number(time) +
+                        "] is not finite at t = " + shown(time) +
                         ": f is singular there, or the solution has blown up; end before",
                     i};
           return false;

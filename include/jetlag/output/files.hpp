@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Files that are either complete or not there, and numbers that keep all their digits.
+// Files that are either complete or not there.
 
 #include <filesystem>
 #include <string>
@@ -19,8 +19,5 @@ void write_file(const std::filesystem::path& path, std::string_view text, Until 
 
 /// The content of a file. Throws std::runtime_error with the path and the system's reason.
 std::string read_file(const std::filesystem::path& path);
-
-/// The shortest text that reads back to the same double.
-std::string number(double value);
 
 }  // namespace jetlag

@@ -6,13 +6,12 @@
 //                             and those after it are not finite
 //   CheckedJet<double, 4>     checked: SingularPoint is thrown, "log: coefficient 0 does not exist at u_0 = 0"
 
-#include <charconv>
 #include <cmath>
-#include <concepts>
 #include <limits>
 #include <stdexcept>
 #include <string>
 
+#include "jetlag/base/text.hpp"
 #include "jetlag/series/coefficients.hpp"
 
 namespace jetlag {
@@ -76,20 +75,13 @@ T not_a_number() {
   }
 }
 
-/// The shortest decimal that reads back as x; of a jet its coefficient 0, of other types that nearest double.
+/// x in a message; of a jet its coefficient 0.
 template <class T>
 std::string text(const T& x) {
-  if constexpr (std::floating_point<T>) {
-    if (x == 0) return "0";  // also of -0
-    char digits[64];
-    return {digits, std::to_chars(digits, digits + sizeof digits, x).ptr};
-  } else if constexpr (is_jet<T>) {
+  if constexpr (is_jet<T>)
     return text(x[0]);
-  } else if constexpr (requires { static_cast<double>(x); }) {
-    return text(static_cast<double>(x));
-  } else {
-    return "(a number that cannot be shown)";
-  }
+  else
+    return shown(x);
 }
 
 }  // namespace detail

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "jetlag/base/error_free.hpp"
+#include "jetlag/base/text.hpp"
 
 namespace jetlag {
 
@@ -152,8 +153,8 @@ bool GaussRadau::solve(const State<double>& from, double h, Report& report) {
   }
   if (small(last_change)) return true;
   report = {Outcome::not_converged,
-            "gauss_radau: the predictor and corrector of the step of " + std::to_string(h) +
-                " s from t = " + std::to_string(from.time) + " do not come together; take a shorter step",
+            "gauss_radau: the predictor and corrector of the step of " + shown(h) +
+                " s from t = " + shown(from.time) + " do not come together; take a shorter step",
             -1};
   return false;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "jetlag/base/text.hpp"
 #include "jetlag/truncation/draws.hpp"
 
 namespace jetlag {
@@ -12,10 +13,10 @@ RandomStep::RandomStep(std::unique_ptr<Integrator> inner, const Options& options
     : inner_(std::move(inner)), options_(options) {
   require_positive("step", options.step);
   if (!(options.order > 0.5) || !std::isfinite(options.order))
-    throw std::invalid_argument("random_step: order must be > 1/2, got " + std::to_string(options.order));
+    throw std::invalid_argument("random_step: order must be > 1/2, got " + shown(options.order));
   if (options.distribution == StepDistribution::uniform && options.step >= 1)
     throw std::invalid_argument("random_step: a uniform step must be < 1 s, so that h - h^(p+1/2) > 0, got " +
-                                std::to_string(options.step) + " s; take another unit of time, or lognormal");
+                                shown(options.step) + " s; take another unit of time, or lognormal");
 }
 
 double RandomStep::length(double h, std::uint64_t update) const {

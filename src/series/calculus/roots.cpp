@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "jetlag/base/text.hpp"
 #include "jetlag/series/calculus/polynomial.hpp"
 
 namespace jetlag {
@@ -134,7 +135,7 @@ double accurate_value(std::span<const double> c, double s) {
 
 std::vector<SignChange> sign_changes(std::span<const double> c, double h) {
   if (!(h > 0) || !std::isfinite(h))
-    throw std::invalid_argument("sign_changes: h must be > 0 and finite, got " + std::to_string(h));
+    throw std::invalid_argument("sign_changes: h must be > 0 and finite, got " + shown(h));
   for (std::size_t k = 0; k < c.size(); ++k)
     if (!std::isfinite(c[k]))
       throw std::invalid_argument("sign_changes: coefficient " + std::to_string(k) + " is not finite");
@@ -146,7 +147,7 @@ std::vector<SignChange> sign_changes(std::span<const double> c, double h) {
   const double end = h * (1 + 0x1p-16);
   const double sum = evaluate(Magnitudes{c}, end);
   if (!std::isfinite(sum))
-    throw std::invalid_argument("sign_changes: the polynomial overflows at h = " + std::to_string(h));
+    throw std::invalid_argument("sign_changes: the polynomial overflows at h = " + shown(h));
   if (sum < 1.5 * std::abs(c[0])) return {};  // c_0 outweighs the rest
 
   Span whole{0, end, to_bernstein(c, end)};

@@ -8,9 +8,9 @@
 #include <string>
 #include <type_traits>
 
+#include "jetlag/base/text.hpp"
 #include "jetlag/series/calculus/polynomial.hpp"
 #include "jetlag/series/rule.hpp"
-#include "jetlag/series/shown.hpp"
 
 namespace jetlag {
 
@@ -52,10 +52,9 @@ S revert(const S& series) {
     throw std::invalid_argument("revert: the series must have coefficients u_0 and u_1, got " +
                                 std::to_string(size) + " coefficients");
   if (!(u[0] == T(0)))
-    throw std::invalid_argument("revert: u_0 must be 0 (remove it first), got " + detail::shown(u[0]));
+    throw std::invalid_argument("revert: u_0 must be 0 (remove it first), got " + shown(u[0]));
   if (u[1] == T(0) || u[1] != u[1])
-    throw std::invalid_argument("revert: u_1 must not be 0 (there is no inverse series), got " +
-                                detail::shown(u[1]));
+    throw std::invalid_argument("revert: u_1 must not be 0 (there is no inverse series), got " + shown(u[1]));
   S inverse(series), power(series);
   inverse[0] = T(0);
   T first(1);                               // (1/u_1)^n

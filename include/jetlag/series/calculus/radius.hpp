@@ -24,8 +24,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "jetlag/base/text.hpp"
 #include "jetlag/series/calculus/polynomial.hpp"
-#include "jetlag/series/shown.hpp"
 
 namespace jetlag {
 
@@ -160,9 +160,8 @@ detail::ValueOf<S> tail_bound(const S& series, const detail::ValueOf<S>& h,
   using T = detail::ValueOf<S>;
   using std::exp, std::log;
   const auto& u = coefficients_of(series);
-  if (!(h >= T(0))) throw std::invalid_argument("tail_bound: h must be >= 0, got " + detail::shown(h));
-  if (!(radius > T(0)))
-    throw std::invalid_argument("tail_bound: radius must be > 0, got " + detail::shown(radius));
+  if (!(h >= T(0))) throw std::invalid_argument("tail_bound: h must be >= 0, got " + shown(h));
+  if (!(radius > T(0))) throw std::invalid_argument("tail_bound: radius must be > 0, got " + shown(radius));
   if (radius == detail::infinite<T>()) {
     if (detail::has_ended(u)) return T(0);
     throw std::invalid_argument(
