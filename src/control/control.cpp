@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "jetlag/motion/expansion.hpp"
+
 namespace jetlag {
 
 namespace {

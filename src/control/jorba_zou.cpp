@@ -8,6 +8,8 @@
 #include <numbers>
 #include <vector>
 
+#include "jetlag/motion/expansion.hpp"
+
 namespace jetlag {
 
 int jorba_zou_degree(double tolerance) {

@@ -5,6 +5,8 @@
 #include <sstream>
 #include <utility>
 
+#include "jetlag/motion/expansion.hpp"
+
 namespace jetlag {
 
 namespace {
