@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "jetlag/base/text.hpp"
+#include "jetlag/motion/expansion.hpp"
 
 namespace jetlag {
 

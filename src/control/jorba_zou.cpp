@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "jetlag/base/text.hpp"
+#include "jetlag/motion/expansion.hpp"
 
 namespace jetlag {
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "jetlag/motion/expansion.hpp"
+
 namespace jetlag {
 
 namespace {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "jetlag/base/text.hpp"
+#include "jetlag/motion/expansion.hpp"
 
 namespace jetlag {
 

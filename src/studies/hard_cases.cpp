@@ -3,7 +3,6 @@
 // closed form is named.
 #include "studies/hard_cases.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <numbers>
 
@@ -133,15 +132,18 @@ System<double> line(const std::vector<double>& mass, const std::vector<double>& 
   return system;
 }
 
-/// Two unit masses between walls, springs 100, 1, 1; from (1, -1/2) at rest:  q(t) = cos(sqrt(K) t) q(0).
+/// Two unit masses between walls, springs 100, 1, 1; from q = (1, -1/2) at rest:
+///     q(t) = cos(sqrt(K) t) q,      K = (101 -1; -1 2),
+/// for a and b the eigenvalues of K, f(K) = (f(a) (K - b) - f(b) (K - a)) / (a - b).
 HardCase resonance() {
-  constexpr double until = 1000;
-  const Eigen::Matrix2d stiffness{{101, -1}, {-1, 2}};
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> modes(stiffness);
-  const Eigen::Vector2d start(1, -0.5);
-  const Eigen::Array2d phase = modes.eigenvalues().array().sqrt() * until;
-  const Eigen::Vector2d end =
-      modes.eigenvectors() * (phase.cos() * (modes.eigenvectors().transpose() * start).array()).matrix();
+  constexpr double until = 1000, half_gap = 49.5, mean = 51.5;  // of the diagonal 101, 2
+  const std::array start{1.0, -0.5}, kicked{101 * start[0] - start[1], 2 * start[1] - start[0]};  // q, K q
+  const double radius = std::hypot(half_gap, 1.0), a = mean + radius, b = 201 / a;  // det K = 201
+  std::array<double, 2> end;
+  for (int i = 0; i < 2; ++i)
+    end[i] = (std::cos(std::sqrt(a) * until) * (kicked[i] - b * start[i]) -
+              std::cos(std::sqrt(b) * until) * (kicked[i] - a * start[i])) /
+             (2 * radius);
   return of("H6 stiff and soft mass", "multiples of steps resonate", line({1, 1}, {100, 1, 1}),
             {{0}, {start[0]}, {start[1]}, {0}}, {{0}, {0}, {0}, {0}}, until, {{0}, {end[0]}, {end[1]}, {0}});
 }

@@ -8,7 +8,7 @@
 // of rounding.
 #include "jetlag/truncation/stability.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -111,13 +111,15 @@ Steps steps(const TruncationLaw& law, Real frequency, Real damping, Real h) {
   return s;
 }
 
+Real det(const Matrix& m) { return m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0); }
+
 /// log of the spectral radius of Q + E R - Q.   |lambda|^2 = det = 1 + tr(Q^T E) + det E where det Q = 1.
 Real log_mean(const Steps& s, bool rotation) {
   const Matrix mean = s.flow + s.mean;
-  const Real half_trace = mean.trace() / 2, determinant = mean.determinant();
+  const Real half_trace = mean.trace() / 2, determinant = det(mean);
   const Real discriminant = half_trace * half_trace - determinant;
   if (discriminant >= 0) return std::log(std::abs(half_trace) + std::sqrt(discriminant));
-  return (rotation ? std::log1p((s.flow.transpose() * s.mean).trace() + s.mean.determinant())
+  return (rotation ? std::log1p((s.flow.transpose() * s.mean).trace() + det(s.mean))
                    : std::log(determinant)) /
          2;
 }
@@ -128,6 +130,24 @@ Matrix added(const Steps& s, const Matrix& p) {
   Matrix sum = cross + cross.transpose();
   for (const auto& [probability, e] : s.of) sum += probability * (e * p * e.transpose());
   return sum;
+}
+
+/// The largest eigenvalue of a matrix whose spectral radius is one of its eigenvalues. Newton's method for det (x - A) from
+/// above: to the right of all eigenvalues this and its derivatives are positive (Gauss, Lucas), so that x comes down
+/// and stops, at the last, for rounding only.
+Real spectral_radius(const Eigen::Matrix<Real, 3, 3>& a) {
+  Real x = a.cwiseAbs().rowwise().sum().maxCoeff();
+  for (int iteration = 0; iteration < 1000; ++iteration) {
+    const Eigen::Matrix<Real, 3, 3> b = x * Eigen::Matrix<Real, 3, 3>::Identity() - a;
+    const Real minor_0 = b(1, 1) * b(2, 2) - b(1, 2) * b(2, 1), minor_1 = b(0, 0) * b(2, 2) - b(0, 2) * b(2, 0),
+               minor_2 = b(0, 0) * b(1, 1) - b(0, 1) * b(1, 0);
+    const Real value = b(0, 0) * minor_0 - b(0, 1) * (b(1, 0) * b(2, 2) - b(1, 2) * b(2, 0)) +
+                       b(0, 2) * (b(1, 0) * b(2, 1) - b(1, 1) * b(2, 0));
+    const Real next = x - value / (minor_0 + minor_1 + minor_2);
+    if (!(next < x)) break;
+    x = next;
+  }
+  return x;
 }
 
 /// log of the largest eigenvalue of P -> E[R P R^T] = Q P Q^T + added(P), a real one (Perron, Frobenius: the map keeps
@@ -157,7 +177,7 @@ Real log_mean_square(const Steps& s, bool rotation) {
     const Matrix image = s.flow * p * s.flow.transpose() + added(s, p);
     map.col(column) << image(0, 0), image(0, 1), image(1, 1);
   }
-  return std::log(map.eigenvalues().cwiseAbs().maxCoeff());
+  return std::log(spectral_radius(map));
 }
 
 // ---- limits -----------------------------------------------------------------------------------------------

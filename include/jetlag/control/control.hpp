@@ -16,7 +16,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "jetlag/motion/expansion.hpp"
+#include "jetlag/motion/coefficient_view.hpp"
 #include "jetlag/truncation/truncation.hpp"
 #include "jetlag/truncation/velocity_series.hpp"
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "jetlag/integrators/integrator.hpp"
+#include "jetlag/motion/expansion.hpp"
 
 namespace jetlag {
 

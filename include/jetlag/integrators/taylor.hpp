@@ -9,6 +9,7 @@
 
 #include "jetlag/integrators/integrator.hpp"
 #include "jetlag/model/kinks.hpp"
+#include "jetlag/motion/expansion.hpp"
 #include "jetlag/truncation/draws.hpp"
 #include "jetlag/truncation/sequential.hpp"
 #include "jetlag/truncation/truncation.hpp"

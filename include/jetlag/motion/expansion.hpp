@@ -28,15 +28,12 @@
 #include "jetlag/model/element_blocks.hpp"
 #include "jetlag/model/particle_order.hpp"
 #include "jetlag/model/system.hpp"
+#include "jetlag/motion/coefficient_view.hpp"
 #include "jetlag/motion/wavefront.hpp"
 
 namespace jetlag {
 
-/// Coefficient k of all positions or velocities. Shape (particles, dimension).
 template <class T>
-using CoefficientView = Eigen::Map<const Coordinates<T>, Eigen::Unaligned, Eigen::OuterStride<>>;
-
-template <class T = double>
 class Expansion {
  public:
   /// Keeps no reference to the system. expected_degree: storage is made for it; growing beyond it costs a copy.

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What schedules with a clock for each particle have in common: options, and the series of every particle.
+// What schedules with a clock for each particle have in common: their options.
 
 #include <cstdint>
 #include <limits>
 
-#include "jetlag/integrators/taylor.hpp"
 #include "jetlag/truncation/draws.hpp"
 #include "jetlag/truncation/truncation.hpp"
+#include "jetlag/truncation/velocity_series.hpp"
 
 namespace jetlag {
 

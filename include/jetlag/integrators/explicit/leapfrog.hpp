@@ -3,6 +3,7 @@
 // Leapfrog in its velocity form (Stoermer, Verlet; not the midpoint leapfrog of fluid dynamics).
 
 #include "jetlag/integrators/integrator.hpp"
+#include "jetlag/motion/expansion.hpp"
 
 namespace jetlag {
 
