@@ -31,6 +31,7 @@ const std::vector<Room> house = {
     {"model", {"base", "series", "tape", "forces"}},
     {"motion", {"base", "series", "tape", "model"}},
     {"truncation", {"base"}},
+    {"problems", {"forces", "model", "truncation"}},
     {"control", {"base", "forces", "model", "motion", "truncation"}},
     {"integrators",
      {"base", "series", "model", "motion", "truncation", "control"},
@@ -51,7 +52,7 @@ const std::vector<Room> house = {
     {"studies",
      {"base", "tape", "forces", "model", "motion", "truncation", "control", "integrators", "ensembles",
       "schedule", "output", "pictures", "scenes", "runs"},
-     {"pictures", "scenes"}},
+     {"pictures", "problems", "scenes"}},
     // The program, and the umbrella header, which nobody in the house includes.
     {"src/main.cpp",
      {"base", "motion", "model", "control", "scenes", "runs", "studies"},
