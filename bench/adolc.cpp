@@ -23,8 +23,8 @@ namespace {
 constexpr unsigned orders = 64;
 
 /// Entries of ADOL-C's buffers for one order, generously: what does not fit into them it writes to files.
-unsigned room(const Scene& scene) {
-  return static_cast<unsigned>(128 * scene.elements() + 64 * scene.system.particles() + 1024);
+unsigned room(const Problem& problem) {
+  return static_cast<unsigned>(128 * element_count(problem.system) + 64 * problem.system.particles() + 1024);
 }
 
 using Difference = std::array<adouble, 3>;
@@ -48,13 +48,13 @@ auto* strength_of(const std::string& law) {
 
 }  // namespace
 
-AdolC::AdolC(const Scene& scene, short tape)
-    : tape_(tape), unknowns_(3 * scene.system.particles()), rows_(2 * unknowns_) {
-  const System<double>& system = scene.system;
+AdolC::AdolC(const Problem& problem, short tape)
+    : tape_(tape), unknowns_(3 * problem.system.particles()), rows_(2 * unknowns_) {
+  const System<double>& system = problem.system;
   std::vector<adouble> x(unknowns_), v(unknowns_), force(unknowns_);
-  trace_on(tape_, 0, room(scene), room(scene), room(scene), orders * room(scene));
-  for (int row = 0; row < unknowns_; ++row) x[row] <<= scene.state.position(row / 3, row % 3);
-  for (int row = 0; row < unknowns_; ++row) v[row] <<= scene.state.velocity(row / 3, row % 3);
+  trace_on(tape_, 0, room(problem), room(problem), room(problem), orders * room(problem));
+  for (int row = 0; row < unknowns_; ++row) x[row] <<= problem.start.position(row / 3, row % 3);
+  for (int row = 0; row < unknowns_; ++row) v[row] <<= problem.start.velocity(row / 3, row % 3);
   for (adouble& f : force) f = 0.0;
   for (const auto& elements : system.elements()) {
     const auto strength = strength_of(elements.law.name);
@@ -101,7 +101,7 @@ AdolC& adolc(const std::string& name) {
     std::map<std::string, AdolC> all;
     short tape = 0;
     for (const char* each : {"kepler", "cloth10", "cloth50"})
-      all.try_emplace(each, bench::scene(each), ++tape);
+      all.try_emplace(each, bench::problem(each), ++tape);
     return all;
   }();
   return recordings.at(name);
@@ -110,14 +110,14 @@ AdolC& adolc(const std::string& name) {
 namespace {
 
 void expand_adolc(benchmark::State& run, const std::string& name, int degree) {
-  const Scene scene = bench::scene(name);
+  const Problem problem = bench::problem(name);
   AdolC& series = adolc(name);
   for (auto _ : run) {
-    series.expand(scene.state, degree);
+    series.expand(problem.start, degree);
     benchmark::DoNotOptimize(series.series(0, 0).data());
     benchmark::ClobberMemory();
   }
-  count_elements(run, scene);
+  count_elements(run, problem);
 }
 
 }  // namespace

@@ -9,14 +9,14 @@
 #include <string>
 #include <vector>
 
-#include "scenes.hpp"
+#include "problems.hpp"
 
 namespace jetlag::bench {
 
 class AdolC {
  public:
-  /// Records the scene on an ADOL-C tape of that number, in memory.
-  AdolC(const Scene& scene, short tape);
+  /// Records the problem on an ADOL-C tape of that number, in memory.
+  AdolC(const Problem& problem, short tape);
 
   /// Coefficients 0 .. degree of all positions: forode finds (x, v) up to degree - 1, then x_N = v_{N-1} / N.
   void expand(const State<double>& state, int degree);
@@ -37,10 +37,10 @@ class AdolC {
   std::vector<double*> rows_;
 };
 
-/// The recording of a scene by name, made once. All scenes are recorded at the first call, small ones first:
-/// ADOL-C gives every tape room for as many variables as have ever been alive, and a small scene would pay for
+/// The recording of a problem by name, made once. All scenes are recorded at the first call, small ones first:
+/// ADOL-C gives every tape room for as many variables as have ever been alive, and a small problem would pay for
 /// a large one recorded before it.
-AdolC& adolc(const std::string& scene);
+AdolC& adolc(const std::string& problem);
 
 }  // namespace jetlag::bench
 

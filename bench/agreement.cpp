@@ -7,8 +7,8 @@
 
 #include "adolc.hpp"
 #include "jetlag/motion/expansion.hpp"
+#include "problems.hpp"
 #include "restart.hpp"
-#include "scenes.hpp"
 
 namespace jetlag::bench {
 
@@ -36,19 +36,19 @@ double difference(const Expansion<double>& series, int degree, Component compone
 std::vector<Agreement> agreements() {
   std::vector<Agreement> all;
   for (const char* name : {"cloth10", "kepler"}) {
-    const Scene scene = bench::scene(name);
+    const Problem problem = bench::problem(name);
     constexpr int degree = JetRestart::max_degree;
-    Expansion<double> series(scene.system, degree);
-    series.start(scene.state);
+    Expansion<double> series(problem.system, degree);
+    series.start(problem.start);
     series.grow_to(degree);
 
-    JetRestart jets(scene.system);
-    jets.expand(scene.state, degree);
+    JetRestart jets(problem.system);
+    jets.expand(problem.start, degree);
     all.push_back({"jets, restarted", name, degree,
                    difference(series, degree, [&](int i, int c, int k) { return jets.series(i, c)[k]; })});
     for (const auto* table : available_kernels()) {
-      Expansion<double> other(scene.system, degree, *table);
-      other.start(scene.state);
+      Expansion<double> other(problem.system, degree, *table);
+      other.start(problem.start);
       other.grow_to(degree);
       all.push_back(
           {std::string("tape, ") + table->instruction_set, name, degree,
@@ -56,7 +56,7 @@ std::vector<Agreement> agreements() {
     }
 #if defined(JETLAG_HAVE_ADOLC)
     AdolC& adolc = bench::adolc(name);
-    adolc.expand(scene.state, degree);
+    adolc.expand(problem.start, degree);
     all.push_back({"ADOL-C", name, degree,
                    difference(series, degree, [&](int i, int c, int k) { return adolc.series(i, c)[k]; })});
 #endif

@@ -10,7 +10,7 @@ namespace jetlag::bench {
 struct Agreement {
   static constexpr double allowed = 1e-9;
 
-  std::string engine, scene;
+  std::string engine, problem;
   int degree;
   double difference;  // max over orders k of  max_i |x_k - y_k| / max_i |x_k|,  x the series of the tape
 

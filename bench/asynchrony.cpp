@@ -14,54 +14,36 @@
 #include <cmath>
 #include <ctime>
 #include <limits>
-#include <numbers>
 
 #include "benchmarks.hpp"
 #include "jetlag/control/courant.hpp"
 #include "jetlag/control/fixed_step.hpp"
 #include "jetlag/control/last_two.hpp"
-#include "jetlag/forces/spring.hpp"
 #include "jetlag/integrators/explicit/leapfrog.hpp"
 #include "jetlag/schedule/block.hpp"
 #include "jetlag/schedule/event_queue.hpp"
 #include "jetlag/schedule/lockstep.hpp"
 #include "jetlag/truncation/draws.hpp"
+#include "problems/chains.hpp"
+#include "problems/nets.hpp"
 
 namespace jetlag::bench {
 
 namespace {
 
-/// 50 x 50 particles of 1 kg, 0.1 m apart, springs as in the scene `cloth` of 5 N/m; those within a square of 5 % are
-/// 1e3 times stiffer. It begins flat, with a smooth velocity.
-Uneven cloth_with_a_stiff_patch() {
-  constexpr int side = 50, first = 16, last = 27;
-  constexpr double spacing = 0.1;
-  Uneven scene{System<double>(3, std::vector<double>(side * side, 1.0)),
-               {0.0, Coordinates<double>::Zero(side * side, 3), Coordinates<double>::Zero(side * side, 3)},
-               4,
-               0.25,
-               0.004};
-  const auto in_patch = [](int i) { return first <= i && i <= last; };
-  std::vector<std::array<int, 2>> pairs;
-  std::vector<std::array<double, 2>> springs;
-  for (int i = 0; i < side; ++i)
-    for (int j = 0; j < side; ++j) {
-      const double x = static_cast<double>(i) / side, y = static_cast<double>(j) / side,
-                   pi = std::numbers::pi;
-      scene.state.position.row(i * side + j) << spacing * i, spacing * j, 0.0;
-      scene.state.velocity.row(i * side + j) << 0.1 * std::sin(3 * y), 0.1 * std::cos(4 * x),
-          0.3 * std::sin(pi * x) * std::sin(2 * pi * y);
-      for (const auto& [a, b] : {std::pair(0, 1), {1, 0}, {1, 1}, {1, -1}, {0, 2}, {2, 0}}) {
-        const int k = i + a, l = j + b;
-        if (k >= side || l < 0 || l >= side) continue;
-        const bool stiff = in_patch(i) && in_patch(j) && in_patch(k) && in_patch(l);
-        pairs.push_back({i * side + j, k * side + l});
-        springs.push_back({stiff ? 5e3 : 5.0, spacing * std::hypot(a, b)});
-      }
-    }
-  scene.system.add<Spring>(pairs, springs);
+/// A problem with a stiff part, the longest stable step of its soft part being its largest_step.
+struct Uneven : Problem {
+  double exact_step;  // [s]: exact for its stiff part
+};
+
+Uneven chain128() {
+  Uneven scene{problems::stiff_spot_in_a_chain(128, 1e4), 0.005};
+  scene.until = 20;
+  scene.largest_step = 1.25;
   return scene;
 }
+
+Uneven stiff_patch50() { return {problems::cloth_with_a_stiff_patch(), 0.004}; }
 
 struct Measured {
   double seconds;  // of the processor
@@ -70,7 +52,7 @@ struct Measured {
 };
 template <class Make>
 Measured measured(const Uneven& scene, const Make& make) {
-  Measured result{0, 0, scene.state};
+  Measured result{0, 0, scene.start};
   auto schedule = make();
   const std::clock_t start = std::clock();
   schedule.run(result.end, scene.until, {});
@@ -94,13 +76,13 @@ double first_accurate(const Uneven& scene, const State<double>& truth, double ta
 void asynchrony(benchmark::State& run, Uneven (*make)(), int degree, double tolerance) {
   const Uneven scene = make();
   const auto lockstep_to = [&](double tolerated) {
-    return Lockstep(taylor(scene.system, degree, std::make_unique<LastTwo>(tolerated, scene.max_step)));
+    return Lockstep(taylor(scene.system, degree, std::make_unique<LastTwo>(tolerated, scene.largest_step)));
   };
   const auto lockstep = [&] { return lockstep_to(tolerance); };
   const auto block = [&] {
     BlockSteps::Options options;
     options.tolerance = tolerance;
-    options.max_step = scene.max_step;
+    options.max_step = scene.largest_step;
     return BlockSteps(scene.system, degree, options);
   };
   const Measured truth = measured(scene, [&] {
@@ -128,7 +110,7 @@ void asynchrony(benchmark::State& run, Uneven (*make)(), int degree, double tole
 }
 
 void against_leapfrog(benchmark::State& run, int digits) {
-  const Uneven scene = cloth_with_a_stiff_patch();
+  const Uneven scene = stiff_patch50();
   const double target = std::pow(10.0, -digits);
   const State<double> truth =
       measured(scene, [&] {
@@ -146,7 +128,7 @@ void against_leapfrog(benchmark::State& run, int digits) {
   const auto block = [&](int degree, int setting) {
     BlockSteps::Options options;
     options.tolerance = target * std::pow(10.0, 1 - 0.25 * setting);
-    options.max_step = scene.max_step;
+    options.max_step = scene.largest_step;
     return BlockSteps(scene.system, degree, options);
   };
   const int steps = first_accurate(scene, truth, target, leapfrog);
@@ -192,12 +174,12 @@ void register_asynchrony() {
     int degree;
     double tolerance;
   };
-  for (const Case& c : {Case{"chain128", chain, 8, 1e-9},
-                        {"chain128", chain, 12, 1e-12},
-                        {"chain128", chain, 16, 1e-12},
-                        {"stiff_patch50", cloth_with_a_stiff_patch, 8, 1e-8},
-                        {"stiff_patch50", cloth_with_a_stiff_patch, 12, 1e-10},
-                        {"stiff_patch50", cloth_with_a_stiff_patch, 16, 1e-11}})
+  for (const Case& c : {Case{"chain128", chain128, 8, 1e-9},
+                        {"chain128", chain128, 12, 1e-12},
+                        {"chain128", chain128, 16, 1e-12},
+                        {"stiff_patch50", stiff_patch50, 8, 1e-8},
+                        {"stiff_patch50", stiff_patch50, 12, 1e-10},
+                        {"stiff_patch50", stiff_patch50, 16, 1e-11}})
     benchmark::RegisterBenchmark(
         ("BM_Asynchrony/" + std::string(c.name) + "/" + std::to_string(c.degree)).c_str(), asynchrony, c.make,
         c.degree, c.tolerance)

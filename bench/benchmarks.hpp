@@ -4,22 +4,22 @@
 
 #include <benchmark/benchmark.h>
 
-#include "scenes.hpp"
+#include "problems.hpp"
 
 namespace jetlag::bench {
 
-void register_expansion();   // BM_Expansion/<scene>/<degree>
-void register_restart();     // BM_Restart/<scene>/<degree>, BM_RestartTape/<scene>/<degree>
-void register_adolc();       // BM_ExpansionAdolC/<scene>/<degree>, nothing without ADOL-C
+void register_expansion();   // BM_Expansion/<problem>/<degree>
+void register_restart();     // BM_Restart/<problem>/<degree>, BM_RestartTape/<problem>/<degree>
+void register_adolc();       // BM_ExpansionAdolC/<problem>/<degree>, nothing without ADOL-C
 void register_engine();      // engine/<what>: one table of the engine's speed
-void register_step();        // BM_Step/<method>/<scene>
-void register_asynchrony();  // BM_Asynchrony/<scene>/<degree>, BM_EventQueue/<clocks>
+void register_step();        // BM_Step/<method>/<problem>
+void register_asynchrony();  // BM_Asynchrony/<problem>/<degree>, BM_EventQueue/<clocks>
 void register_peers();       // BM_Peers/<problem>/<digits>/<method>
 
-/// Counters of a run whose iteration expands the whole scene once: elements, and the time for each of them.
-inline void count_elements(benchmark::State& run, const Scene& scene) {
+/// Counters of a run whose iteration expands the whole problem once: elements, and the time for each of them.
+inline void count_elements(benchmark::State& run, const Problem& problem) {
   using benchmark::Counter;
-  const auto elements = static_cast<double>(scene.elements());
+  const auto elements = static_cast<double>(element_count(problem.system));
   run.counters["items"] = elements;
   run.counters["per_element"] = Counter(elements, Counter::kIsIterationInvariantRate | Counter::kInvert);
 }

@@ -61,13 +61,13 @@ void peak(benchmark::State& run) {
 
 // ---- expansions -------------------------------------------------------------------------------------------
 
-/// A scene and its expansion, set up once: the large ones take seconds.
+/// A problem and its expansion, set up once: the large ones take seconds.
 struct Prepared {
-  Scene scene;
+  Problem problem;
   Expansion<double> series;
 
   Prepared(const std::string& name, int degree, int threads)
-      : scene(bench::scene(name)), series(scene.system, degree, kernels<double>(), Workers(threads)) {}
+      : problem(bench::problem(name)), series(problem.system, degree, kernels<double>(), Workers(threads)) {}
 };
 Prepared& prepared(const std::string& name, int degree, int threads) {
   static std::map<std::tuple<std::string, int, int>, std::unique_ptr<Prepared>> all;
@@ -78,14 +78,15 @@ Prepared& prepared(const std::string& name, int degree, int threads) {
 
 /// All coefficients of the motion.
 void expand(benchmark::State& run, const std::string& name, int degree, int threads) {
-  auto& [scene, series] = prepared(name, degree, threads);
+  auto& [problem, series] = prepared(name, degree, threads);
   for (auto _ : run) {
-    series.start(scene.state);
+    series.start(problem.start);
     series.grow_to(degree);
     benchmark::ClobberMemory();
   }
-  run.counters["items"] = static_cast<double>(scene.elements());
-  run.counters["bytes"] = static_cast<double>(series.bytes()) / static_cast<double>(scene.elements());
+  run.counters["items"] = static_cast<double>(element_count(problem.system));
+  run.counters["bytes"] =
+      static_cast<double>(series.bytes()) / static_cast<double>(element_count(problem.system));
 }
 
 // ---- small systems ----------------------------------------------------------------------------------------
@@ -94,14 +95,14 @@ constexpr int degree_of_small_systems = 20;
 
 /// One step of Taylor's method with the choice of its length, along the motion; begun anew before it drifts far.
 void step(benchmark::State& run, const std::string& name) {
-  const Scene scene = bench::scene(name);
-  const auto integrator = taylor(scene.system, degree_of_small_systems, std::make_unique<JorbaZou>());
-  State<double> state = scene.state;
+  const Problem problem = bench::problem(name);
+  const auto integrator = taylor(problem.system, degree_of_small_systems, std::make_unique<JorbaZou>());
+  State<double> state = problem.start;
   Report report;
   int steps = 0;
   for (auto _ : run) {
     state.time += integrator->step(state, 1e9, report);
-    if (++steps % 1000 == 0) state = scene.state;
+    if (++steps % 1000 == 0) state = problem.start;
   }
   if (report.outcome != Outcome::success) run.SkipWithError(report.message.c_str());
   run.counters["items"] = 1;
@@ -110,9 +111,9 @@ void step(benchmark::State& run, const std::string& name) {
 /// From nothing to the end of the first step: laws are recorded, memory is laid out.
 void start_up(benchmark::State& run) {
   for (auto _ : run) {
-    const Scene scene = bench::scene("solar");
-    const auto integrator = taylor(scene.system, degree_of_small_systems, std::make_unique<JorbaZou>());
-    State<double> state = scene.state;
+    const Problem problem = bench::problem("solar");
+    const auto integrator = taylor(problem.system, degree_of_small_systems, std::make_unique<JorbaZou>());
+    State<double> state = problem.start;
     Report report;
     integrator->step(state, 1e9, report);
     benchmark::DoNotOptimize(state.position.data());
@@ -124,10 +125,10 @@ void start_up(benchmark::State& run) {
 
 /// The same system from states that differ by millionths, followed for `length` of its time in an iteration.
 void ensemble(benchmark::State& run, const std::string& name, int members, int threads, double length) {
-  const Scene scene = bench::scene(name);
-  std::vector<State<double>> states(members, scene.state);
+  const Problem problem = bench::problem(name);
+  std::vector<State<double>> states(members, problem.start);
   for (int i = 0; i < members; ++i) states[i].position *= 1.0 + 1e-6 * i;
-  Ensemble all(scene.system, degree_of_small_systems, states, std::numeric_limits<double>::infinity(),
+  Ensemble all(problem.system, degree_of_small_systems, states, std::numeric_limits<double>::infinity(),
                Workers(threads));
   double until = 0;
   for (auto _ : run) all.advance_to(until += length);

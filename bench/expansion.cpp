@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Does the expansion of a scene's motion cost O(N^2), and what is the price of an element?
+// Does the expansion of a problem's motion cost O(N^2), and what is the price of an element?
 
 #include "jetlag/motion/expansion.hpp"
 
@@ -10,15 +10,15 @@ namespace jetlag::bench {
 namespace {
 
 void expand(benchmark::State& run, const std::string& name, int degree) {
-  const Scene scene = bench::scene(name);
-  Expansion<double> series(scene.system, degree);
+  const Problem problem = bench::problem(name);
+  Expansion<double> series(problem.system, degree);
   for (auto _ : run) {
-    series.start(scene.state);
+    series.start(problem.start);
     series.grow_to(degree);
     benchmark::DoNotOptimize(series.position(degree).data());
     benchmark::ClobberMemory();
   }
-  count_elements(run, scene);
+  count_elements(run, problem);
 }
 
 }  // namespace

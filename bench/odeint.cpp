@@ -18,7 +18,7 @@ using Pair = std::pair<Vector, Vector>;
 /// The forces in the shapes that steppers ask for.
 class RightHandSide {
  public:
-  RightHandSide(const Problem& problem, const Asked& asked) : forces_(problem.system, asked.seconds) {}
+  RightHandSide(const PeerProblem& problem, const Asked& asked) : forces_(problem.system, asked.seconds) {}
 
   /// y' = f(y), y = (x, v).
   void operator()(const Vector& y, Vector& rate, double t) {
@@ -48,20 +48,20 @@ class RightHandSide {
 };
 
 template <class Integrate>
-Ending ending(const Problem& problem, const Asked& asked, const Integrate& integrate) {
+Ending ending(const PeerProblem& problem, const Asked& asked, const Integrate& integrate) {
   RightHandSide rate(problem, asked);
   try {
     const State<double> end = integrate(rate);
-    return {end, rate.element_coefficients() / elements(problem.system)};
+    return {end, rate.element_coefficients() / static_cast<double>(problems::element_count(problem.system))};
   } catch (const std::runtime_error& error) {  // of odeint too: no step is short enough
-    return {problem.begin, 0, error.what()};
+    return {problem.start, 0, error.what()};
   }
 }
 
 template <class Stepper>
-Ending fixed(const Problem& problem, const Asked& asked) {
+Ending fixed(const PeerProblem& problem, const Asked& asked) {
   return ending(problem, asked, [&](RightHandSide& rate) {
-    Vector y = flat(problem.begin);
+    Vector y = flat(problem.start);
     const EqualSteps steps(problem.until, asked.setting);
     odeint::integrate_n_steps(Stepper(), std::ref(rate), y, 0.0, steps.step, steps.count);
     return state_of(y.data(), problem);
@@ -70,9 +70,9 @@ Ending fixed(const Problem& problem, const Asked& asked) {
 
 /// Of second order: position and velocity apart.
 template <class Stepper>
-Ending fixed_pair(const Problem& problem, const Asked& asked) {
+Ending fixed_pair(const PeerProblem& problem, const Asked& asked) {
   return ending(problem, asked, [&](RightHandSide& rate) {
-    const Vector all = flat(problem.begin);
+    const Vector all = flat(problem.start);
     const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
     Pair y(Vector(all.begin(), middle), Vector(middle, all.end()));
     const EqualSteps steps(problem.until, asked.setting);
@@ -83,9 +83,9 @@ Ending fixed_pair(const Problem& problem, const Asked& asked) {
 }
 
 template <class Stepper>
-Ending controlled(const Problem& problem, const Asked& asked, Stepper stepper) {
+Ending controlled(const PeerProblem& problem, const Asked& asked, Stepper stepper) {
   return ending(problem, asked, [&](RightHandSide& rate) {
-    Vector y = flat(problem.begin);
+    Vector y = flat(problem.start);
     odeint::integrate_adaptive(stepper, std::ref(rate), y, 0.0, problem.until, problem.largest_step / 100);
     return state_of(y.data(), problem);
   });
@@ -95,7 +95,7 @@ Ending controlled(const Problem& problem, const Asked& asked, Stepper stepper) {
 
 std::vector<Method> odeint_methods() {
   const auto pair = [](auto stepper) {
-    return [stepper](const Problem& p, const Asked& asked) {
+    return [stepper](const PeerProblem& p, const Asked& asked) {
       return controlled(p, asked, odeint::make_controlled(asked.setting, asked.setting, stepper));
     };
   };
@@ -107,7 +107,7 @@ std::vector<Method> odeint_methods() {
       {"odeint_dopri5", false, 1e1, false, any_problem, pair(odeint::runge_kutta_dopri5<Vector>())},
       {"odeint_fehlberg78", false, 1e1, false, any_problem, pair(odeint::runge_kutta_fehlberg78<Vector>())},
       {"odeint_bulirsch_stoer", false, 1e1, false, any_problem,
-       [](const Problem& p, const Asked& asked) {
+       [](const PeerProblem& p, const Asked& asked) {
          return controlled(p, asked, odeint::bulirsch_stoer<Vector>(asked.setting, asked.setting));
        }},
   };

@@ -11,57 +11,46 @@
 #include <stdexcept>
 
 #include "jetlag/control/courant.hpp"
-#include "jetlag/forces/gravity.hpp"
 #include "jetlag/scenes/scene.hpp"
 #include "peers.hpp"
-#include "scenes.hpp"
+#include "problems/chains.hpp"
+#include "problems/planets.hpp"
 
 namespace jetlag::bench {
 
 namespace {
 
-/// A planet, e = 0.3, begins where it is fastest; 100 periods.
-Problem planet() {
-  System<double> system(2, {1.0, 1.0});
-  system.fix(0);
-  system.add<Gravity>({{0, 1}}, {{1.0}});
-  State<double> begin{0.0, Coordinates<double>::Zero(2, 2), Coordinates<double>::Zero(2, 2)};
-  const double e = 0.3, period = 2 * std::numbers::pi;
-  begin.position(1, 0) = 1 - e;
-  begin.velocity(1, 1) = std::sqrt((1 + e) / (1 - e));
-  return {"planet", std::move(system), std::move(begin), 100 * period, period / 14.7964875};
+PeerProblem named(std::string name, problems::Problem problem) {
+  problem.name = std::move(name);
+  return {std::move(problem)};
 }
 
-/// 32 masses between walls, springs d + d^3.         Source: the beta chain of Fermi, Pasta, Ulam, Tsingou 1955.
-Problem fput32() {
-  System<double> system(1, std::vector<double>(34, 1.0));
-  system.fix(0);
-  system.fix(33);
-  std::vector<std::array<int, 2>> pairs;
-  for (int j = 0; j < 33; ++j) pairs.push_back({j, j + 1});
-  system.add<CubicSpring>(pairs, {{1.0}});
-  State<double> begin{0.0, Coordinates<double>::Zero(34, 1), Coordinates<double>::Zero(34, 1)};
-  for (int i = 1; i <= 32; ++i)
-    begin.position(i, 0) =
-        0.1 * std::sin(2 * std::numbers::pi * i / 33) + 0.02 * std::sin(9 * std::numbers::pi * i / 33);
-  return {"fput32", std::move(system), std::move(begin), 496, 1.24};
+/// From where it is fastest; 100 periods.
+PeerProblem planet() {
+  PeerProblem problem = named("planet", problems::planet(0.3));
+  problem.until = 100 * 2 * std::numbers::pi;
+  return problem;
 }
+
+PeerProblem fput32() { return named("fput32", problems::fput()); }
 
 /// The scene `cloth` without friction, so that every method fits.
-Problem cloth20() {
-  const jetlag::Scene scene =
+PeerProblem cloth20() {
+  const Scene scene =
       load_scene("cloth", {"until=0.5", R"(forces=[{"type": "spring", "pairs": "edges", "stiffness": 100.0},
                                         {"type": "uniform_field", "acceleration": [0.0, -2.0, -9.8]}])"});
-  return {"cloth20", *scene.system, scene.initial, scene.until, 2 / frequency_bound(*scene.system)};
+  PeerProblem problem = named("cloth20", {*scene.system, scene.initial, scene.until});
+  problem.largest_step = 2 / frequency_bound(problem.system);
+  return problem;
 }
 
-Problem chain128() {
-  Uneven scene = chain();
-  const double step =
-      0.01;  // [s]: the limit of leapfrog for a long chain of its stiffest springs, 2 / (2 sqrt(1e4))
-  const auto stiff = [](double stiffness) { return stiffness > 100.0; };
-  Split split = split_by_first_parameter(scene.system, stiff);
-  return {"chain128", std::move(scene.system), std::move(scene.state), scene.until, step, std::move(split)};
+/// The first step is the limit of leapfrog for a long chain of its stiffest springs, 2 / (2 sqrt(1e4)).
+PeerProblem chain128() {
+  PeerProblem problem = named("chain128", problems::stiff_spot_in_a_chain(128, 1e4));
+  problem.until = 20;
+  problem.largest_step = 0.01;
+  problem.split = split_by_first_parameter(problem.system, [](double k) { return k > 100.0; });
+  return problem;
 }
 
 }  // namespace
@@ -88,12 +77,12 @@ Split split_by_first_parameter(const System<double>& system, const std::function
   return split;
 }
 
-const Problem& problem(const std::string& name) {
-  static std::map<std::string, Problem> made;
+const PeerProblem& peer_problem(const std::string& name) {
+  static std::map<std::string, PeerProblem> made;
   if (const auto known = made.find(name); known != made.end()) return known->second;
   struct Entry {
     const char* name;
-    Problem (*make)();
+    PeerProblem (*make)();
   };
   for (const Entry& entry :
        {Entry{"planet", planet}, {"fput32", fput32}, {"cloth20", cloth20}, {"chain128", chain128}})
@@ -101,12 +90,12 @@ const Problem& problem(const std::string& name) {
   throw std::invalid_argument("problem: got '" + name + "'; must be planet, fput32, cloth20 or chain128");
 }
 
-bool any_problem(const Problem&) { return true; }
-bool by_position(const Problem& problem) {
+bool any_problem(const PeerProblem&) { return true; }
+bool by_position(const PeerProblem& problem) {
   return !forces_read(problem.system, Input::Kind::velocity) &&
          !forces_read(problem.system, Input::Kind::time);
 }
-bool has_split(const Problem& problem) { return problem.split.has_value(); }
+bool has_split(const PeerProblem& problem) { return problem.split.has_value(); }
 
 Forces::Forces(const System<double>& system, double seconds)
     : unknowns_(static_cast<std::size_t>(system.particles() * system.dimension())),
@@ -136,19 +125,13 @@ std::vector<double> flat(const State<double>& state) {
   return y;
 }
 
-State<double> state_of(const double* y, const Problem& problem) {
-  State<double> state = problem.begin;
+State<double> state_of(const double* y, const PeerProblem& problem) {
+  State<double> state = problem.start;
   const auto n = state.position.size();
   state.time = problem.until;
   std::copy_n(y, n, state.position.data());
   std::copy_n(y + n, n, state.velocity.data());
   return state;
-}
-
-double elements(const System<double>& system) {
-  std::size_t count = 0;
-  for (const auto& each : system.elements()) count += each.count();
-  return static_cast<double>(count);
 }
 
 double processor_seconds() {

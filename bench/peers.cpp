@@ -24,6 +24,7 @@
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/schedule/lockstep.hpp"
 #include "odeint.hpp"
+#include "problems/laws.hpp"
 #include "reporter.hpp"
 #include "sundials.hpp"
 
@@ -37,12 +38,12 @@ constexpr double longest = 0.6;  // [s]: a search goes no further after a run th
 constexpr double least_tolerance = 1e-16;
 
 /// The end of a series of that degree, steps by Jorba and Zou, compensated sums.
-State<double> end_of_series(const Problem& problem, int degree) {
+State<double> end_of_series(const PeerProblem& problem, int degree) {
   RandomTaylor::Options options;
   options.compensated = true;
   Lockstep schedule(std::make_unique<RandomTaylor>(problem.system, fixed_degree(degree),
                                                    std::make_unique<JorbaZou>(), options));
-  State<double> state = problem.begin;
+  State<double> state = problem.start;
   const Report report = schedule.run(state, problem.until, {});
   if (report.outcome != Outcome::success)
     throw std::runtime_error(problem.name + ": no reference: " + report.message);
@@ -65,7 +66,7 @@ const std::vector<Method>& methods() {
   return all;
 }
 
-double setting(const Problem& problem, const Method& method, int n) {
+double setting(const PeerProblem& problem, const Method& method, int n) {
   return method.by_step ? problem.largest_step * method.coarsest * std::exp2(-0.5 * n)
                         : method.coarsest * std::pow(10.0, -0.5 * n);
 }
@@ -74,7 +75,7 @@ struct Truth {
   State<double> end;
   double uncertainty;  // [m]: how far a series of degree 24 ends from it
 };
-const Truth& truth_of(const Problem& problem) {
+const Truth& truth_of(const PeerProblem& problem) {
   static std::map<std::string, Truth> known;
   const auto found = known.find(problem.name);
   if (found != known.end()) return found->second;
@@ -91,7 +92,7 @@ struct Tried {
 struct Search {
   std::map<int, Tried> tried;
 
-  const Tried& at(const Problem& problem, const Method& method, double target, int n) {
+  const Tried& at(const PeerProblem& problem, const Method& method, double target, int n) {
     if (const auto known = tried.find(n); known != tried.end()) return known->second;
     const double chosen = setting(problem, method, n), start = processor_seconds();
     const Ending ending = method.run(problem, {chosen, target, longest});
@@ -103,7 +104,7 @@ struct Search {
 
   /// Steps are tried from the longest on. Tolerances are tried from a hundredth of the target on, and coarser ones as long
   /// as they do: with those that are far too coarse a planet falls into its sun, and such a run takes long.
-  const Tried* coarsest_accurate(const Problem& problem, const Method& method, double target) {
+  const Tried* coarsest_accurate(const PeerProblem& problem, const Method& method, double target) {
     int n = 0, unfinished = 0;
     if (!method.by_step)
       while (n < 60 && setting(problem, method, n) > method.first_of_target * target * 1.001) ++n;
@@ -130,12 +131,12 @@ struct Search {
 };
 
 /// Kept, since a benchmark is entered once for each repetition.
-Search& search_of(const Problem& problem, const Method& method, int digits) {
+Search& search_of(const PeerProblem& problem, const Method& method, int digits) {
   static std::map<std::string, Search> all;
   return all[problem.name + '/' + method.name + '/' + (method.uses_target ? std::to_string(digits) : "")];
 }
 
-void peers(benchmark::State& run, const Problem& problem, const Method& method, int digits) {
+void peers(benchmark::State& run, const PeerProblem& problem, const Method& method, int digits) {
   const double target = std::pow(10.0, -digits);
   if (truth_of(problem).uncertainty > target / 30) {
     run.SkipWithError("the reference is not known well enough");
@@ -157,7 +158,7 @@ void peers(benchmark::State& run, const Problem& problem, const Method& method, 
 }
 
 /// Eight masses between walls, one spring 100 times stiffer.
-Problem small_chain() {
+PeerProblem small_chain() {
   System<double> system(1, std::vector<double>(10, 1.0));
   system.fix(0);
   system.fix(9);
@@ -167,18 +168,21 @@ Problem small_chain() {
     pairs.push_back({j, j + 1});
     stiffness.push_back({j == 4 ? 100.0 : 1.0});
   }
-  system.add<CubicSpring>(pairs, stiffness);
-  State<double> begin{0.0, Coordinates<double>::Zero(10, 1), Coordinates<double>::Zero(10, 1)};
-  for (int i = 1; i <= 8; ++i) begin.position(i, 0) = 0.1 * std::sin(3 * std::numbers::pi * i / 9);
-  Split split = split_by_first_parameter(system, [](double k) { return k > 10; });
-  return {"small chain", std::move(system), std::move(begin), 2.0, 1e-4, std::move(split)};
+  system.add<problems::CubicSpring>(pairs, stiffness);
+  State<double> start = problems::at_origin(system);
+  for (int i = 1; i <= 8; ++i) start.position(i, 0) = 0.1 * std::sin(3 * std::numbers::pi * i / 9);
+  PeerProblem problem{{std::move(system), std::move(start), 2.0}};
+  problem.name = "small chain";
+  problem.largest_step = 1e-4;
+  problem.split = split_by_first_parameter(problem.system, [](double k) { return k > 10; });
+  return problem;
 }
 
 }  // namespace
 
 std::vector<PeerAgreement> peer_agreements() {
   constexpr double tolerance = 1e-9;  // of those with one
-  const Problem problem = small_chain();
+  const PeerProblem problem = small_chain();
   const State<double> truth = end_of_series(problem, 20);
   std::vector<PeerAgreement> all;
   for (auto&& some : {odeint_methods(), sundials_methods()})
@@ -194,7 +198,7 @@ void register_peers() {
   for (const char* name : peer_problems)
     for (const int digits : peer_digits)
       for (const Method& method : methods()) {
-        const Problem& problem = bench::problem(name);
+        const PeerProblem& problem = peer_problem(name);
         if (!method.fits(problem)) continue;
         const std::string title =
             "BM_Peers/" + problem.name + '/' + std::to_string(digits) + '/' + method.name;

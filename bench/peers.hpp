@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "jetlag/integrators/accelerations.hpp"
+#include "problems/problem.hpp"
 
 namespace jetlag::bench {
 
@@ -23,17 +24,12 @@ struct Split {
 /// Fast are the elements whose first parameter says so.
 Split split_by_first_parameter(const System<double>& system, const std::function<bool(double)>& fast);
 
-struct Problem {
-  std::string name;
-  System<double> system;
-  State<double> begin;
-  double until;         // [s]
-  double largest_step;  // [s]: the first that is tried
+struct PeerProblem : problems::Problem {
   std::optional<Split> split{};
 };
 
 /// planet, fput32, cloth20, chain128.   Throws std::invalid_argument.
-const Problem& problem(const std::string& name);
+const PeerProblem& peer_problem(const std::string& name);
 
 struct Ending {
   State<double> state;
@@ -53,15 +49,15 @@ struct Method {
   bool by_step;      // or by a tolerance
   double coarsest;   // the first setting, for steps as a part of the problem's largest
   bool uses_target;  // and not its setting alone
-  std::function<bool(const Problem&)> fits;
-  std::function<Ending(const Problem&, const Asked&)> run;
+  std::function<bool(const PeerProblem&)> fits;
+  std::function<Ending(const PeerProblem&, const Asked&)> run;
   double first_of_target = 1e-2;  // the first tolerance that is tried, over the error wanted
 };
 
-bool any_problem(const Problem& problem);
+bool any_problem(const PeerProblem& problem);
 /// Whether forces depend on positions only.
-bool by_position(const Problem& problem);
-bool has_split(const Problem& problem);
+bool by_position(const PeerProblem& problem);
+bool has_split(const PeerProblem& problem);
 
 /// The accelerations by jetlag's own code, from and to arrays of row after row; it counts, and watches the time.
 class Forces {
@@ -89,9 +85,8 @@ class Forces {
 
 /// (x, v) row after row, and back.
 std::vector<double> flat(const State<double>& state);
-State<double> state_of(const double* y, const Problem& problem);
+State<double> state_of(const double* y, const PeerProblem& problem);
 
-double elements(const System<double>& system);
 double processor_seconds();
 
 /// `until` in equal steps of at most h.

@@ -39,8 +39,8 @@ bool print_agreement(std::ostream& out) {
       << ")\n";
   bool all_hold = true;
   for (const Agreement& a : agreements()) {
-    out << "  " << std::left << std::setw(18) << a.engine << std::setw(9) << a.scene << "degree " << a.degree
-        << "   relative difference " << std::setprecision(2) << a.difference
+    out << "  " << std::left << std::setw(18) << a.engine << std::setw(9) << a.problem << "degree "
+        << a.degree << "   relative difference " << std::setprecision(2) << a.difference
         << (a.holds() ? "" : "   TOO LARGE") << "\n";
     all_hold = all_hold && a.holds();
   }

@@ -99,28 +99,28 @@ void JetRestart::expand(const State<double>& state, int degree) {
 namespace {
 
 void restart_jet(benchmark::State& run, const std::string& name, int degree) {
-  const Scene scene = bench::scene(name);
-  JetRestart series(scene.system);
+  const Problem problem = bench::problem(name);
+  JetRestart series(problem.system);
   for (auto _ : run) {
-    series.expand(scene.state, degree);
+    series.expand(problem.start, degree);
     benchmark::DoNotOptimize(series.series(0, 0).data());
     benchmark::ClobberMemory();
   }
-  count_elements(run, scene);
+  count_elements(run, problem);
 }
 
 void restart_tape(benchmark::State& run, const std::string& name, int degree) {
-  const Scene scene = bench::scene(name);
-  Expansion<double> series(scene.system, degree);
+  const Problem problem = bench::problem(name);
+  Expansion<double> series(problem.system, degree);
   for (auto _ : run) {
     for (int known = 2; known <= degree; ++known) {
-      series.start(scene.state);
+      series.start(problem.start);
       series.grow_to(known);
     }
     benchmark::DoNotOptimize(series.position(degree).data());
     benchmark::ClobberMemory();
   }
-  count_elements(run, scene);
+  count_elements(run, problem);
 }
 
 }  // namespace

@@ -17,8 +17,8 @@ namespace {
 
 constexpr double step_length = 1e-5;  // [s]: a thousandth of the shortest period, so that no method blows up
 
-void step(benchmark::State& run, const Scene& scene, Integrator& integrator) {
-  State<double> state = scene.state;
+void step(benchmark::State& run, const Problem& problem, Integrator& integrator) {
+  State<double> state = problem.start;
   Report report;
   for (auto _ : run) {
     const double h = integrator.step(state, std::numeric_limits<double>::infinity(), report);
@@ -29,22 +29,22 @@ void step(benchmark::State& run, const Scene& scene, Integrator& integrator) {
     state.time += h;
   }
   const Work& work = integrator.work();
-  run.counters["elements"] = static_cast<double>(scene.elements());
+  run.counters["elements"] = static_cast<double>(element_count(problem.system));
   run.counters["element_coefficients"] =
       static_cast<double>(work.element_coefficients) / static_cast<double>(work.steps);
   run.counters["mean_degree"] = work.mean_degree();
 }
 
 void step_taylor(benchmark::State& run, const std::string& name, const TruncationLaw& law) {
-  const Scene scene = bench::scene(name);
-  RandomTaylor integrator(scene.system, law, std::make_unique<FixedStep>(step_length));
-  step(run, scene, integrator);
+  const Problem problem = bench::problem(name);
+  RandomTaylor integrator(problem.system, law, std::make_unique<FixedStep>(step_length));
+  step(run, problem, integrator);
 }
 
 void step_leapfrog(benchmark::State& run, const std::string& name) {
-  const Scene scene = bench::scene(name);
-  Leapfrog integrator(scene.system, step_length);
-  step(run, scene, integrator);
+  const Problem problem = bench::problem(name);
+  Leapfrog integrator(problem.system, step_length);
+  step(run, problem, integrator);
 }
 
 void register_taylor(const std::string& name, const std::string& method, const TruncationLaw& law) {

@@ -80,21 +80,21 @@ Memory own(void* memory) {
 }
 
 template <class Run>
-Ending ending(const Problem& problem, const Run& run) {
+Ending ending(const PeerProblem& problem, const Run& run) {
   try {
     return run();
   } catch (const std::runtime_error& error) {
-    return {problem.begin, 0, error.what()};
+    return {problem.start, 0, error.what()};
   }
 }
 
 /// A pair of explicit methods with steps by its estimate.
 auto explicit_pair(ARKODE_ERKTableID table) {
-  return [table](const Problem& problem, const Asked& asked) {
+  return [table](const PeerProblem& problem, const Asked& asked) {
     return ending(problem, [&]() -> Ending {
       const sundials::Context context;
       Forces forces(problem.system, asked.seconds);
-      const Unknowns y(problem.begin, context);
+      const Unknowns y(problem.start, context);
       const Memory solver = own<ERKStepFree>(ERKStepCreate(rate, 0.0, y, context));
       void* const s = solver.get();
       must(ERKStepSetErrHandlerFn(s, quiet, nullptr), "ERKStepSetErrHandlerFn");
@@ -105,18 +105,19 @@ auto explicit_pair(ARKODE_ERKTableID table) {
       must(ERKStepSetStopTime(s, problem.until), "ERKStepSetStopTime");
       double reached = 0;
       must(ERKStepEvolve(s, problem.until, y, &reached, ARK_NORMAL), "ERKStepEvolve");
-      return {state_of(y.data(), problem), forces.element_coefficients() / elements(problem.system)};
+      return {state_of(y.data(), problem),
+              forces.element_coefficients() / static_cast<double>(problems::element_count(problem.system))};
     });
   };
 }
 
 /// Diagonally implicit; Newton with GMRES, no matrix, no preconditioner.
 auto implicit(int order) {
-  return [order](const Problem& problem, const Asked& asked) {
+  return [order](const PeerProblem& problem, const Asked& asked) {
     return ending(problem, [&]() -> Ending {
       const sundials::Context context;
       Forces forces(problem.system, asked.seconds);
-      const Unknowns y(problem.begin, context);
+      const Unknowns y(problem.start, context);
       const std::unique_ptr<_generic_SUNLinearSolver, int (*)(SUNLinearSolver)> gmres(
           SUNLinSol_SPGMR(y, SUN_PREC_NONE, 0, context), SUNLinSolFree);
       const Memory solver = own<ARKStepFree>(ARKStepCreate(nullptr, rate, 0.0, y, context));
@@ -130,7 +131,8 @@ auto implicit(int order) {
       must(ARKStepSetStopTime(s, problem.until), "ARKStepSetStopTime");
       double reached = 0;
       must(ARKStepEvolve(s, problem.until, y, &reached, ARK_NORMAL), "ARKStepEvolve");
-      return {state_of(y.data(), problem), forces.element_coefficients() / elements(problem.system)};
+      return {state_of(y.data(), problem),
+              forces.element_coefficients() / static_cast<double>(problems::element_count(problem.system))};
     });
   };
 }
@@ -138,11 +140,11 @@ auto implicit(int order) {
 /// Stiff elements fast, by a pair of Dormand and Prince with a tolerance of a tenth of the error wanted; the others slow, with
 /// the step of the setting.
 auto multirate(ARKODE_MRITableID table) {
-  return [table](const Problem& problem, const Asked& asked) {
+  return [table](const PeerProblem& problem, const Asked& asked) {
     return ending(problem, [&]() -> Ending {
       const sundials::Context context;
       Forces fast(problem.split->fast, asked.seconds), slow(problem.split->slow, asked.seconds);
-      const Unknowns y(problem.begin, context);
+      const Unknowns y(problem.start, context);
 
       const Memory inner = own<ARKStepFree>(ARKStepCreate(rate, nullptr, 0.0, y, context));
       void* const i = inner.get();
@@ -171,18 +173,18 @@ auto multirate(ARKODE_MRITableID table) {
       must(MRIStepSetStopTime(o, problem.until), "MRIStepSetStopTime");
       double reached = 0;
       must(MRIStepEvolve(o, problem.until, y, &reached, ARK_NORMAL), "MRIStepEvolve");
-      return {state_of(y.data(), problem),
-              (fast.element_coefficients() + slow.element_coefficients()) / elements(problem.system)};
+      return {state_of(y.data(), problem), (fast.element_coefficients() + slow.element_coefficients()) /
+                                               static_cast<double>(problems::element_count(problem.system))};
     });
   };
 }
 
 /// Adams's methods of variable order up to 12, functional iteration.
-Ending adams(const Problem& problem, const Asked& asked) {
+Ending adams(const PeerProblem& problem, const Asked& asked) {
   return ending(problem, [&]() -> Ending {
     const sundials::Context context;
     Forces forces(problem.system, asked.seconds);
-    const Unknowns y(problem.begin, context);
+    const Unknowns y(problem.start, context);
     const std::unique_ptr<_generic_SUNNonlinearSolver, int (*)(SUNNonlinearSolver)> iteration(
         SUNNonlinSol_FixedPoint(y, 0, context), SUNNonlinSolFree);
     const Memory solver = own<CVodeFree>(CVodeCreate(CV_ADAMS, context));
@@ -196,7 +198,8 @@ Ending adams(const Problem& problem, const Asked& asked) {
     must(CVodeSetStopTime(s, problem.until), "CVodeSetStopTime");
     double reached = 0;
     must(CVode(s, problem.until, y, &reached, CV_NORMAL), "CVode");
-    return {state_of(y.data(), problem), forces.element_coefficients() / elements(problem.system)};
+    return {state_of(y.data(), problem),
+            forces.element_coefficients() / static_cast<double>(problems::element_count(problem.system))};
   });
 }
 

@@ -30,8 +30,6 @@ struct EnsembleLanes {
   /// distance lanes. A term of weight 0 is left out, finite or not.
   void (*weighted)(int lanes, bool of_velocity, int last, const double* x, const double* w, double h,
                    double* sum);
-  /// to = plus - minus.
-  void (*subtract)(int lanes, const double* plus, const double* minus, double* to);
   /// log2 of normal numbers > 0, to 1e-12.
   void (*log2)(int lanes, const double* x, double* log);
   /// best = max(best, (a - b + c) d).
@@ -56,11 +54,6 @@ extern const EnsembleLanes ensemble;
 
 inline void scale(int lanes, double factor, const double* __restrict from, double* __restrict to) {
   for (int i = 0; i < lanes; ++i) to[i] = factor * from[i];
-}
-
-inline void subtract(int lanes, const double* __restrict plus, const double* __restrict minus,
-                     double* __restrict to) {
-  for (int i = 0; i < lanes; ++i) to[i] = plus[i] - minus[i];
 }
 
 inline void scale_two(int lanes, double factor_0, double factor_1, const double* __restrict from_0,
@@ -198,8 +191,8 @@ inline void bound(int lanes, const double* __restrict a, const double* __restric
   }
 }
 
-const EnsembleLanes ensemble{&scale,  &scale_two, &extend,   &smaller, &multiply, &largest,
-                             &horner, &weighted,  &subtract, &log2,    &bound};
+const EnsembleLanes ensemble{&scale,   &scale_two, &extend,   &smaller, &multiply,
+                             &largest, &horner,    &weighted, &log2,    &bound};
 
 }  // namespace JETLAG_INSTRUCTION_SET_NAME
 #endif

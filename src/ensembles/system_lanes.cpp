@@ -89,13 +89,8 @@ void SystemLanes::grow(Blocks<double>& blocks, const EnsembleLanes& of, const do
         const std::size_t c = static_cast<std::size_t>(input.participant) * dimension + input.component;
         if (input.kind == Input::Kind::time) {
           for (int i = 0; i < lanes; ++i) to[i] = n == 0 ? time[i] : n == 1 ? unit : 0.0;
-        } else if (input.kind == Input::Kind::velocity) {
+        } else {  // a velocity: positions are read where they stand
           of.scale(lanes, (n + 1) / unit, blocks.at(0, series[c], n + 1), to);
-        } else {
-          const double* plus = blocks.at(0, series[c], n);
-          const double* minus =
-              blocks.at(0, series[(1 - input.participant) * dimension + input.component], n);
-          of.subtract(lanes, plus, minus, to);
         }
       }
     blocks.run(0, k, orders);

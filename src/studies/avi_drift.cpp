@@ -7,6 +7,7 @@
 
 #include "jetlag/model/energy.hpp"
 #include "jetlag/schedule/avi.hpp"
+#include "problems/chains.hpp"
 #include "studies/studies.hpp"
 #include "studies/ten_masses.hpp"
 
@@ -22,9 +23,10 @@ struct Arguments {
 /// Largest relative energy errors, of all the run and of its first and last tenth, at the times at which all clocks ring
 /// together; or rather 1e-9 s later, for these times are rounded, and just before an impulse half of it is missing.
 int run_row(double fraction, double until) {
-  const TenMasses chain;
+  const problems::Problem chain = problems::ten_masses();
   EnergyMeter energy(chain.system);
-  const double begin = energy(chain.start).total(), period = TenMasses::common_period(fraction), later = 1e-9;
+  const double begin = energy(chain.start).total(), period = problems::common_period_of_ten_masses(fraction),
+               later = 1e-9;
   const auto count = static_cast<std::int64_t>(until / period);
   double first = 0, last = 0, largest = 0, momentum_error = 0;
   std::int64_t seen = 0;

@@ -2,27 +2,16 @@
 #pragma once
 // Every method on motions that break methods: who survives, with what error, for how much work.
 
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "jetlag/model/system.hpp"
 #include "jetlag/scenes/scene.hpp"
+#include "problems/hard_cases.hpp"
+#include "studies/studies.hpp"
 
 namespace jetlag {
-
-/// A motion whose end is known to more digits than a double has.
-struct HardCase {
-  std::string name, difficulty;
-  std::shared_ptr<const System<double>> system;
-  State<double> initial;
-  double until;             // [s]
-  Coordinates<double> end;  // positions at `until` [m]; of fixed particles as they are
-  std::vector<int> stiff{},
-      slow{};  // particles that methods with two parts treat so; empty: the last, the first
-};
-std::vector<HardCase> hard_cases();
 
 /// A method with its settings, as in a scene file. "step" is filled in where there is one.
 struct HardMethod {
@@ -51,6 +40,7 @@ struct HardResult {
 };
 
 /// evaluations: what a method with a fixed step may spend. limit [s]: of the processor.
-HardResult run_hard_case(const HardCase& hard, const HardMethod& method, double evaluations, double limit);
+HardResult run_hard_case(const problems::Problem& hard, const HardMethod& method, double evaluations,
+                         double limit);
 
 }  // namespace jetlag

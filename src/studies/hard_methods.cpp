@@ -19,6 +19,8 @@
 
 namespace jetlag {
 
+using problems::Problem;
+
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -36,29 +38,27 @@ HardMethod partitioned(std::string name, Json integrator, std::string list) {
   return method;
 }
 
-std::vector<int> part_of(const HardCase& hard, bool stiff) {
+std::vector<int> part_of(const Problem& hard, bool stiff) {
   if (const auto& named = stiff ? hard.stiff : hard.slow; !named.empty()) return named;
   std::vector<int> moving;
-  for (int i = 0; i < hard.system->particles(); ++i)
-    if (!hard.system->fixed()[i]) moving.push_back(i);
+  for (int i = 0; i < hard.system.particles(); ++i)
+    if (!hard.system.fixed()[i]) moving.push_back(i);
   return {stiff ? moving.back() : moving.front()};
 }
 
 /// The size of the motion: the largest distance of a particle from where it began, or from the origin at the end.
-double extent(const HardCase& hard) {
-  const double moved = (hard.end - hard.initial.position).rowwise().norm().maxCoeff();
-  return std::max(moved, hard.end.rowwise().norm().maxCoeff());
+double extent(const Problem& hard) {
+  const double moved = (*hard.end - hard.start.position).rowwise().norm().maxCoeff();
+  return std::max(moved, hard.end->rowwise().norm().maxCoeff());
 }
 
-int elements_of(const System<double>& system) {
-  std::size_t count = 0;
-  for (const auto& elements : system.elements()) count += elements.count();
-  return static_cast<int>(count);
+double elements_of(const System<double>& system) {
+  return static_cast<double>(problems::element_count(system));
 }
 
 /// The step of the control at which a run spends so many evaluations, from the first 50th of it at a guess.
 template <class Read>
-double step_for(const HardCase& hard, const Read& read, double evaluations) {
+double step_for(const Problem& hard, const Read& read, double evaluations) {
   constexpr double probe = 1e-3;
   const Method guess = read(probe);
   const double per_step =
@@ -67,10 +67,10 @@ double step_for(const HardCase& hard, const Read& read, double evaluations) {
     return hard.until / std::max(1.0, std::floor(evaluations / each)) / per_step;
   };
   const auto schedule = read(control_step(guess.mean_orders)).schedule();
-  State<double> state = hard.initial;
+  State<double> state = hard.start;
   schedule->run(state, hard.until / 50, {});
   const Work& work = schedule->work();
-  const double spent = static_cast<double>(work.element_coefficients) / elements_of(*hard.system);
+  const double spent = static_cast<double>(work.element_coefficients) / elements_of(hard.system);
   return control_step(work.steps > 0 && spent > 0 ? spent / static_cast<double>(work.steps)
                                                   : guess.mean_orders);
 }
@@ -122,22 +122,23 @@ std::vector<HardMethod> hard_methods() {
   };
 }
 
-HardResult run_hard_case(const HardCase& hard, const HardMethod& method, double evaluations, double limit) {
+HardResult run_hard_case(const Problem& hard, const HardMethod& method, double evaluations, double limit) {
   using Verdict = HardResult::Verdict;
   Json json = {{"integrator", method.integrator}, {"control", method.control}};
   if (!method.schedule.is_null()) json["schedule"] = method.schedule;
   if (!method.part.empty()) json["integrator"][method.part] = part_of(hard, method.part == "implicit");
+  const auto system = std::make_shared<const System<double>>(hard.system);
   const auto read = [&](double step) {
     Json copy = json;
     if (method.has_step) copy["control"]["step"] = step;
     const Value scene(copy, "");
     scene.only({"integrator", "control", "schedule"});
-    return read_method(scene, hard.system, 1);
+    return read_method(scene, system, 1);
   };
   HardResult result;
   result.verdict = Verdict::refused;
   result.error = result.energy_error = std::numeric_limits<double>::quiet_NaN();
-  State<double> state = hard.initial;
+  State<double> state = hard.start;
   const double start = processor_seconds();
   try {
     const auto schedule = read(method.has_step ? step_for(hard, read, evaluations) : 0.0).schedule();
@@ -147,7 +148,7 @@ HardResult run_hard_case(const HardCase& hard, const HardMethod& method, double 
     const Report report = schedule->run(state, hard.until, options);
     result.seconds = processor_seconds() - start;
     result.evaluations =
-        static_cast<double>(schedule->work().element_coefficients) / elements_of(*hard.system);
+        static_cast<double>(schedule->work().element_coefficients) / elements_of(hard.system);
     result.message = report.message;
     if (report.outcome != Outcome::success) {
       result.verdict = report.outcome == Outcome::interrupted ? Verdict::slow : Verdict::failed;
@@ -157,13 +158,11 @@ HardResult run_hard_case(const HardCase& hard, const HardMethod& method, double 
     result.message = error.what();
     return result;
   }
-  result.error = (state.position - hard.end).rowwise().norm().maxCoeff() / extent(hard);
+  result.error = (state.position - *hard.end).rowwise().norm().maxCoeff() / extent(hard);
   result.verdict = result.error <= 0.1 ? Verdict::accurate : Verdict::wrong;
-  EnergyMeter meter(*hard.system);
-  const bool conserves = std::ranges::all_of(
-      hard.system->elements(), [](const auto& elements) { return elements.law.energy.has_value(); });
-  if (conserves) {
-    const Energy before = meter(hard.initial);
+  EnergyMeter meter(hard.system);
+  if (problems::conserves_energy(hard.system)) {
+    const Energy before = meter(hard.start);
     const double size = std::max(std::abs(before.kinetic), std::abs(before.potential));
     result.energy_error = std::abs(meter(state).total() - before.total()) / size;
   }
@@ -192,18 +191,18 @@ std::string brief(const std::string& message) {
 }
 
 /// "H4", or with the last word of the name where there are several of that number: "H1 0.99".
-std::string label(const HardCase& hard, const std::vector<HardCase>& cases) {
-  const auto number_of = [](const HardCase& one) { return one.name.substr(0, one.name.find(' ')); };
+std::string label(const Problem& hard, const std::vector<Problem>& cases) {
+  const auto number_of = [](const Problem& one) { return one.name.substr(0, one.name.find(' ')); };
   const std::string number = number_of(hard);
   if (std::ranges::count(cases, number, number_of) < 2) return number;
   return number + hard.name.substr(hard.name.rfind(' '));
 }
 
 /// One row a method, one column a case: the error, or what happened.
-std::string summary(const std::vector<HardCase>& cases, const std::vector<HardMethod>& methods,
+std::string summary(const std::vector<Problem>& cases, const std::vector<HardMethod>& methods,
                     const std::vector<std::vector<HardResult>>& results) {
   std::string text = "| method |";
-  for (const HardCase& hard : cases) text += ' ' + label(hard, cases) + " |";
+  for (const Problem& hard : cases) text += ' ' + label(hard, cases) + " |";
   text += "\n|---|";
   for (std::size_t c = 0; c < cases.size(); ++c) text += "---|";
   text += "\n";
@@ -217,8 +216,8 @@ std::string summary(const std::vector<HardCase>& cases, const std::vector<HardMe
     text += "\n";
   }
   text += "\n";
-  for (const HardCase& hard : cases)
-    text += fmt::format("- {}: {}; until {:.6g} s\n", hard.name, hard.difficulty, hard.until);
+  for (const Problem& hard : cases)
+    text += fmt::format("- {}: {}; until {:.6g} s\n", hard.name, hard.description, hard.until);
   return text;
 }
 
@@ -232,7 +231,7 @@ std::vector<Named> named(std::vector<Named> all, const std::vector<std::string>&
 }
 
 int run_study(const Arguments& arguments) {
-  const auto cases = named(hard_cases(), arguments.cases);
+  const auto cases = named(problems::hard_cases(), arguments.cases);
   const auto methods = named(hard_methods(), arguments.methods);
   if (cases.empty() || methods.empty()) {
     fmt::print(stderr, "no {} begins with such a name\n", cases.empty() ? "case" : "method");
@@ -240,8 +239,8 @@ int run_study(const Arguments& arguments) {
   }
   std::vector<std::vector<HardResult>> results;
   std::string csv = "case,method,verdict,error,energy_error,evaluations,seconds,message\n";
-  for (const HardCase& hard : cases) {
-    fmt::print("\n{}: {}; until {:.6g} s\n\n", hard.name, hard.difficulty, hard.until);
+  for (const Problem& hard : cases) {
+    fmt::print("\n{}: {}; until {:.6g} s\n\n", hard.name, hard.description, hard.until);
     fmt::print("{:<32} {:<9} {:>9} {:>9} {:>12} {:>9}\n", "method", "", "error", "energy", "evaluations",
                "CPU [s]");
     auto& of_case = results.emplace_back();

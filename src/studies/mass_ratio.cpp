@@ -13,7 +13,7 @@
 #include "jetlag/schedule/asynchronous.hpp"
 #include "jetlag/schedule/block.hpp"
 #include "jetlag/schedule/lockstep.hpp"
-#include "studies/heavy_and_light.hpp"
+#include "problems/chains.hpp"
 #include "studies/studies.hpp"
 
 namespace jetlag {
@@ -40,8 +40,8 @@ double light_at(double t) {
 }
 
 void run_row(const Arguments& arguments, int degree, const char* name, Schedule& schedule) {
-  const double until = arguments.periods * 2 * std::numbers::pi / fast_frequency;
-  HeavyAndLight scene = light_mass();
+  const double until = arguments.periods * 2 * std::numbers::pi / problems::fast_frequency;
+  problems::Problem scene = problems::light_mass();
   EnergyMeter meter(scene.system);
   const double begin = meter(scene.start).total();
   constexpr int frames = 1000;
@@ -70,9 +70,9 @@ void run_row(const Arguments& arguments, int degree, const char* name, Schedule&
 }
 
 int run_it(const Arguments& arguments) {
-  const HeavyAndLight scene = light_mass();
+  const problems::Problem scene = problems::light_mass();
   std::printf("wall - 1 N/m - 1 kg - 1 N/m - 1e-6 kg, %g periods of the light mass (%g s), tolerance %g m\n",
-              arguments.periods, arguments.periods * 2 * std::numbers::pi / fast_frequency,
+              arguments.periods, arguments.periods * 2 * std::numbers::pi / problems::fast_frequency,
               arguments.tolerance);
   std::printf("%6s %-16s %31s %11s %21s %14s\n", "", "", "updates", "element", "relative energy error",
               "error of");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "problems/reference_values.hpp"
 #include "studies/reference_problems.hpp"
 #include "studies/studies.hpp"
 
@@ -24,7 +25,7 @@ int run_table(const Arguments& arguments) {
     const auto begin = std::chrono::steady_clock::now();
     const ReferenceSolution solution = problem.solve(degree, {});
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    const auto& values = reference_values().at(problem.name);
+    const auto& values = problems::reference_values().at(problem.name);
     double error = 0;
     for (std::size_t i = 0; i < values.size(); ++i)
       error = std::max(error, static_cast<double>(std::abs(solution.end[i] - std::stold(values[i]))));

@@ -23,6 +23,8 @@
 
 namespace jetlag {
 
+using problems::Problem;
+
 namespace {
 
 struct Arguments {
@@ -47,21 +49,22 @@ struct Row {
 constexpr double longest_repeated = 0.05;  // [s]: longer runs are warm after their first steps
 
 /// step: filled in where the method has one.
-Row run(const TestProblem& problem, const Competitor& competitor, double step, int seeds, double limit) {
+Row run(const Problem& problem, const Competitor& competitor, double step, int seeds, double limit) {
   Row row{competitor.family, competitor.name, competitor.is_taylor, competitor.has_step ? step : 0.0};
   Json json = {{"integrator", competitor.integrator}, {"control", competitor.control}};
   if (competitor.has_step) json["control"]["step"] = step;
   if (!competitor.schedule.is_null()) json["schedule"] = competitor.schedule;
-  EnergyMeter energy(*problem.system);
-  const double initial = energy(problem.initial).total();
+  EnergyMeter energy(problem.system);
+  const auto system = std::make_shared<const System<double>>(problem.system);
+  const double initial = energy(problem.start).total();
   double squares = 0, energy_squares = 0;
   for (int seed = 1; seed <= (competitor.random ? seeds : 1); ++seed) {
     Json copy = json;
     const Value scene(copy, "");
     scene.only({"integrator", "control", "schedule"});
-    const Method method = read_method(scene, problem.system, static_cast<std::uint64_t>(seed));
+    const Method method = read_method(scene, system, static_cast<std::uint64_t>(seed));
     const auto schedule = method.schedule();
-    State<double> state = problem.initial;
+    State<double> state = problem.start;
     const double start = processor_seconds();
     RunOptions options;
     int calls = 0;
@@ -70,7 +73,7 @@ Row run(const TestProblem& problem, const Competitor& competitor, double step, i
     double seconds = processor_seconds() - start;
     for (int repeat = 0; repeat < 2 && seconds < longest_repeated; ++repeat) {
       const auto again = method.schedule();
-      State<double> same = problem.initial;
+      State<double> same = problem.start;
       const double begin = processor_seconds();
       again->run(same, problem.until, {});
       seconds = std::min(seconds, processor_seconds() - begin);
@@ -82,7 +85,7 @@ Row run(const TestProblem& problem, const Competitor& competitor, double step, i
       if (row.slow) break;
       continue;
     }
-    const double error = distance(*problem.system, state.position, problem.end.position),
+    const double error = problems::distance(problem.system, state.position, *problem.end),
                  energy_error = energy(state).total() / initial - 1;
     squares += error * error;
     energy_squares += energy_error * energy_error;
@@ -92,7 +95,8 @@ Row run(const TestProblem& problem, const Competitor& competitor, double step, i
   }
   const double good = row.seeds - row.failed, none = std::numeric_limits<double>::quiet_NaN();
   row.position_error = row.failed == 0 ? std::sqrt(squares / good) : none;
-  row.energy_error = row.failed == 0 && problem.has_energy_error ? std::sqrt(energy_squares / good) : none;
+  row.energy_error =
+      row.failed == 0 && problems::conserves_energy(problem.system) ? std::sqrt(energy_squares / good) : none;
   row.element_coefficients /= good;
   row.mean_degree /= good;
   row.seconds /= good;
@@ -158,16 +162,16 @@ void print_least_work(const std::vector<Row>& rows, double floor) {
 
 /// How far the motion reaches: the largest distance of a particle from the first one, at the end and at the beginning, and
 /// from where it began.
-double extent(const TestProblem& problem) {
+double extent(const Problem& problem) {
   double most = 0;
-  for (int i = 0; i < problem.system->particles(); ++i)
-    for (const auto* x : {&problem.end.position, &problem.initial.position})
+  for (int i = 0; i < problem.system.particles(); ++i)
+    for (const auto* x : {&*problem.end, &problem.start.position})
       most = std::max(
-          {most, (x->row(i) - x->row(0)).norm(), (x->row(i) - problem.initial.position.row(i)).norm()});
+          {most, (x->row(i) - x->row(0)).norm(), (x->row(i) - problem.start.position.row(i)).norm()});
   return most > 0 ? most : 1.0;
 }
 
-void draw(const std::filesystem::path& picture, const TestProblem& problem,
+void draw(const std::filesystem::path& picture, const Problem& problem,
           const std::vector<WorkPrecision>& points) {
   try {
     draw_work_precision(picture, problem.description, points, problem.end_error, extent(problem));
@@ -177,7 +181,7 @@ void draw(const std::filesystem::path& picture, const TestProblem& problem,
   }
 }
 
-void compare(const TestProblem& problem, const Arguments& arguments, const std::vector<Competitor>& all) {
+void compare(const Problem& problem, const Arguments& arguments, const std::vector<Competitor>& all) {
   fmt::print("\n{}: {}\nreference to {:.1e} m; errors are root mean squares over particles and {} seeds\n\n",
              problem.name, problem.description, problem.end_error, arguments.seeds);
   fmt::print("{:<22} {:<30} {:>10} {:>11} {:>11} {:>12} {:>9} {:>7}\n", "family", "method", "step [s]",
@@ -219,22 +223,22 @@ int run_study(const Arguments& arguments) {
   for (Competitor& competitor : competitors())
     if (arguments.families.empty() || std::ranges::count(arguments.families, competitor.family) > 0)
       chosen.push_back(std::move(competitor));
-  std::vector<TestProblem> scenes;  // all are checked before the first is run
+  std::vector<Problem> scenes;  // all are checked before the first is run
   for (const std::string& name : arguments.scenes) {
     const Scene scene = load_scene(name);
     if (moving_particles(*scene.system) == 0)
       throw SceneError("--scene: got " + name + "; must have a particle that moves");
     scenes.push_back(problem_of(scene));
     scenes.back().name = std::filesystem::path(name).stem().string();  // as the folder of a run
-    if (std::ranges::count(scenes, scenes.back().name, &TestProblem::name) > 1)
+    if (std::ranges::count(scenes, scenes.back().name, &Problem::name) > 1)
       throw SceneError("--scene: got two scenes with the name " + scenes.back().name + "; must differ");
   }
   std::filesystem::create_directories(arguments.folder);
-  for (const TestProblem& problem : scenes) compare(problem, arguments, chosen);
+  for (const Problem& problem : scenes) compare(problem, arguments, chosen);
   for (const auto& entry : test_problems()) {
     const bool named = std::ranges::count(arguments.problems, entry.name) > 0;
     if (!named && !(arguments.problems.empty() && scenes.empty())) continue;
-    TestProblem problem = entry.make();
+    Problem problem = entry.make();
     problem.name = entry.name;
     problem.description = entry.description;
     compare(problem, arguments, chosen);

@@ -14,11 +14,12 @@
 #include <vector>
 
 #include "jetlag/control/fixed_step.hpp"
+#include "jetlag/forces/drag.hpp"
 #include "jetlag/integrators/explicit/leapfrog.hpp"
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/model/energy.hpp"
 #include "jetlag/schedule/lockstep.hpp"
-#include "support/scenes_for_tests.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -41,7 +42,7 @@ TEST(CourantLimit, CountsTheVelocitysSeriesAndTheDamping) {
 }
 
 TEST(CommonDamping, IsThatOfDragWhereItIsTheSameForAllMovingParticles) {
-  Scene scene = dumbbell(8.0, 1.0, 2.0);
+  Problem scene = dumbbell(8.0, 1.0, 2.0);
   EXPECT_EQ(common_damping(scene.system), 0.0);
   scene.system.add<Drag>({{0}, {1}}, {{0.3}, {0.6}});
   EXPECT_DOUBLE_EQ(common_damping(scene.system), 0.3);
@@ -77,7 +78,7 @@ TEST(FrequencyBound, IsExactForOneSpring) {
 
 TEST(FrequencyBound, IsNotBelowTheFastestFrequencyOfANetwork) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    Scene scene = spring_cube(seed);
+    Problem scene = spring_cube(seed);
     if (seed % 2 == 0) scene.system.fix(static_cast<int>(seed % 8));
     const double truth = fastest_frequency(scene.system, scene.start.position),
                  bound = frequency_bound(scene.system);
@@ -87,7 +88,7 @@ TEST(FrequencyBound, IsNotBelowTheFastestFrequencyOfANetwork) {
 }
 
 TEST(FrequencyBound, TakesFixedParticlesAsInfinitelyHeavy) {
-  Scene scene = dumbbell(8.0, 1.0, 2.0);
+  Problem scene = dumbbell(8.0, 1.0, 2.0);
   scene.system.fix(0);
   EXPECT_DOUBLE_EQ(frequency_bound(scene.system), 2.0);
   scene.system.fix(1);
@@ -106,7 +107,7 @@ std::unique_ptr<Control> cropped_to(double safety, double limit, double omega, d
 }
 
 /// The energy of the stretching after 10^4 steps, over that at the start.
-double energy_ratio(const Scene& scene, std::unique_ptr<Integrator> integrator) {
+double energy_ratio(const Problem& scene, std::unique_ptr<Integrator> integrator) {
   EnergyMeter energy(scene.system);
   Lockstep lockstep(std::move(integrator));
   State<double> state = scene.start;
@@ -119,7 +120,7 @@ double energy_ratio(const Scene& scene, std::unique_ptr<Integrator> integrator) 
 
 TEST(Courant, KeepsTheStiffestSpringStableAndNoStepMuchLongerWould) {
   // One spring, of known frequency: 0.1 % below the limit the energy falls, 0.1 % above it grows.
-  const Scene scene = dumbbell(5e3, 1.0, 2.0);
+  const Problem scene = dumbbell(5e3, 1.0, 2.0);
   const double omega = frequency_bound(scene.system);
   for (int degree : {3, 4, 7, 8}) {
     const double limit = undamped_limit(fixed_degree(degree));
@@ -133,7 +134,7 @@ TEST(Courant, KeepsTheStiffestSpringStableAndNoStepMuchLongerWould) {
 
 TEST(Courant, KeepsADampedSpringStableAtADegreeThatNeedsDamping) {
   // Degree 6 gives energy at every step, drag takes it: 0.1 % below and 0.5 % above the step where they are even.
-  Scene scene = dumbbell(5e3, 1.0, 2.0);
+  Problem scene = dumbbell(5e3, 1.0, 2.0);
   scene.system.add<Drag>({{0}, {1}}, {{0.5}, {1.0}});
   const double omega = frequency_bound(scene.system), damping = common_damping(scene.system);
   const double limit = courant_limit(fixed_degree(6), VelocitySeries::own_series, omega, damping);
@@ -143,7 +144,7 @@ TEST(Courant, KeepsADampedSpringStableAtADegreeThatNeedsDamping) {
 
 TEST(Courant, KeepsANetworkStable) {
   for (std::uint64_t seed : {1, 2, 3}) {
-    const Scene scene = spring_cube(seed);
+    const Problem scene = spring_cube(seed);
     const double limit = undamped_limit(fixed_degree(4)), omega = frequency_bound(scene.system);
     // All the energy is above that of the centre of mass, which no method changes: it must not grow.
     EXPECT_LE(energy_ratio(scene, taylor(scene.system, 4, cropped_to(1.0, limit, omega, 1.0))), 1.0)
@@ -152,7 +153,7 @@ TEST(Courant, KeepsANetworkStable) {
 }
 
 TEST(Courant, CropsOnlyStepsThatAreTooLong) {
-  const Scene scene = dumbbell(4.0, 2.0, 2.0);  // omega = 2
+  const Problem scene = dumbbell(4.0, 2.0, 2.0);  // omega = 2
   Expansion<double> series(scene.system);
   series.start(scene.start);
   const TruncationLaw law = fixed_degree(4);

@@ -11,7 +11,7 @@
 #include "jetlag/control/halve_double.hpp"
 #include "jetlag/control/variance_target.hpp"
 #include "jetlag/integrators/taylor.hpp"
-#include "support/scenes_for_tests.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -23,7 +23,7 @@ struct Means {
   double orders, degree;
 };
 Means means(std::unique_ptr<Control> control, const TruncationLaw& law, VelocitySeries velocity) {
-  Scene scene = spring_cube(1);
+  Problem scene = spring_cube(1);
   std::size_t elements = 0;
   for (const auto& group : scene.system.elements()) elements += group.count();
   RandomTaylor integrator(scene.system, law, std::move(control), {.seed = 1, .velocity = velocity});
@@ -81,7 +81,7 @@ TEST(Forecast, OfAnOscillationIsNotBelowTheTruthAtAnyPhase) {
   const TruncationLaw law = geometric(3, 16, 0.5);
   for (double phase = 0; phase < 6.3; phase += 0.1)
     for (double h : {0.1, 0.5}) {
-      const Scene scene = oscillator(1.0, std::cos(phase), -std::sin(phase));
+      const Problem scene = oscillator(1.0, std::cos(phase), -std::sin(phase));
       Expansion<double> series(scene.system);
       series.start(scene.start);
       series.grow_to(17);
@@ -98,7 +98,7 @@ TEST(Forecast, KeepsTheRealVarianceBelowItsTargetInARun) {
   // 10^4 steps of an oscillator on a line, where each coefficient vanishes twice a period: no limit cycle, no step of
   // another size than its neighbours by more than the control's own factors, and the true variance below the target.
   const TruncationLaw law = geometric(3, 16, 0.5);
-  Scene scene = oscillator(1.0, 1.0, 0.0);
+  Problem scene = oscillator(1.0, 1.0, 0.0);
   VarianceTarget control(0.01, 10.0, 1e-7, 1e-7);
   Expansion<double> series(scene.system);
   double least = infinity, largest = 0;

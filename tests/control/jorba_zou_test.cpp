@@ -8,15 +8,17 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "jetlag/forces/gravity.hpp"
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/motion/first_order.hpp"
 #include "jetlag/schedule/lockstep.hpp"
+#include "support/problems.hpp"
 #include "support/random.hpp"
-#include "support/scenes_for_tests.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -113,7 +115,7 @@ TEST(JorbaZouDegree, IsTwentyForDoubles) {
 
 // ---- the control ------------------------------------------------------------------------------------------
 
-double proposal(const Scene& scene, int degree, double max_step = infinity) {
+double proposal(const Problem& scene, int degree, double max_step = infinity) {
   Expansion<double> series(scene.system);
   series.start(scene.start);
   series.grow_to(degree + 1);
@@ -126,8 +128,8 @@ TEST(JorbaZou, TakesTheSmallerStepOfPositionsAndVelocities) {
   // which is 1, are 20^(-1/19) and 21^(-1/20): the smaller is the first.
   System<double> system(1, {1.0});
   system.add<CubicPush>({{0}}, {{}});
-  const Scene scene{std::move(system),
-                    {0.0, Coordinates<double>::Ones(1, 1), Coordinates<double>::Ones(1, 1)}};
+  const Problem scene{std::move(system),
+                      {0.0, Coordinates<double>::Ones(1, 1), Coordinates<double>::Ones(1, 1)}};
   EXPECT_NEAR(proposal(scene, 20), std::pow(20.0, -1.0 / 19) * sigma(20), 1e-15);  // a few roundings of 0.11
 }
 
@@ -144,8 +146,8 @@ TEST(JorbaZou, StepsAwayFromWherePositionsOrVelocitiesVanish) {
   // x = 1 - cos t from rest at the origin: nothing but the force is there.
   System<double> system(1, {1.0});
   system.add<Shaker>({{0}}, {{1.0}});
-  const Scene shaken{std::move(system),
-                     {0.0, Coordinates<double>::Zero(1, 1), Coordinates<double>::Zero(1, 1)}};
+  const Problem shaken{std::move(system),
+                       {0.0, Coordinates<double>::Zero(1, 1), Coordinates<double>::Zero(1, 1)}};
   EXPECT_NEAR(proposal(shaken, 20), h, 0.1 * h);
 }
 
@@ -170,8 +172,8 @@ TEST(JorbaZou, StepsAwayFromWhereTheForceVanishesToo) {
   // h is below 2.
   System<double> system(1, {1.0});
   system.add<GentlePush>({{0}}, {{}});
-  const Scene scene{std::move(system),
-                    {0.0, Coordinates<double>::Zero(1, 1), Coordinates<double>::Zero(1, 1)}};
+  const Problem scene{std::move(system),
+                      {0.0, Coordinates<double>::Zero(1, 1), Coordinates<double>::Zero(1, 1)}};
   const auto bound = [](int n, int q) {
     return std::pow(std::pow(sigma(20), q) * std::tgamma(q + 1.0) / std::tgamma(n + 1.0), 1.0 / (q - n));
   };
@@ -180,7 +182,7 @@ TEST(JorbaZou, StepsAwayFromWhereTheForceVanishesToo) {
 
 /// Steps taken over ten periods by an oscillator started at x, v = w x.
 std::uint64_t steps_of_ten_periods(double w, double x) {
-  const Scene scene = oscillator(w, x, w * x);
+  const Problem scene = oscillator(w, x, w * x);
   Lockstep lockstep(taylor(scene.system, 20, std::make_unique<JorbaZou>()));
   State<double> state = scene.start;
   const double until = 20 * std::numbers::pi / w;
@@ -210,7 +212,7 @@ TEST(JorbaZou, TakesTheSameStepsInAnyUnitOfLength) {
 TEST(JorbaZou, FollowsAPlanetInAnyUnits) {
   // Powers of two: the same bits, times the units. r^-3 of the law must be in range: lengths up to 2^+-300.
   const auto end = [](int length, int time) {
-    Scene scene = planet(0.9);
+    Problem scene = planet(0.9);
     System<double> system(2, {1.0, 1.0});
     system.fix(0);
     system.add<Gravity>({{0, 1}}, {{std::ldexp(1.0, 3 * length - 2 * time)}});
@@ -229,7 +231,7 @@ TEST(JorbaZou, FollowsAPlanetInAnyUnits) {
 }
 
 TEST(JorbaZou, GivesSeriesThatEndTheLargestStepInAnyUnits) {
-  Scene fall = free_fall();
+  Problem fall = free_fall();
   for (double scale : {1e-150, 1.0, 1e150}) {
     fall.start.position *= scale;
     fall.start.velocity *= scale;

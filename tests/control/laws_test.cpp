@@ -18,7 +18,7 @@
 #include "jetlag/control/last_two.hpp"
 #include "jetlag/control/variance_target.hpp"
 #include "jetlag/integrators/taylor.hpp"
-#include "support/scenes_for_tests.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -29,7 +29,7 @@ using ::testing::ThrowsMessage;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// What a control proposes in a state, where no more is known than it asks for. Asked `times` times, as a run would.
-double proposal(Control& control, const Scene& scene, const TruncationLaw& law, int times = 1) {
+double proposal(Control& control, const Problem& scene, const TruncationLaw& law, int times = 1) {
   Expansion<double> series(scene.system);
   series.start(scene.start);
   series.grow_to(std::max(1, control.orders_read(law, VelocitySeries::own_series)));
@@ -82,7 +82,7 @@ TEST_P(ControlLaws, TimeRunningTwiceAsFastHalvesTheStep) {
     for (int times : {1, 20}) {
       std::vector<double> h;
       for (double speed : {1.0, 2.0, 4.0}) {
-        const Scene scene = circular_oscillator(speed);
+        const Problem scene = circular_oscillator(speed);
         const double unit = 1 / speed;
         h.push_back(proposal(*GetParam().make(law, 1e-6, infinity, unit), scene, law, times) * speed);
       }
@@ -93,7 +93,7 @@ TEST_P(ControlLaws, TimeRunningTwiceAsFastHalvesTheStep) {
 }
 
 TEST_P(ControlLaws, NoStepGrowsAsTheToleranceShrinks) {
-  const Scene scene = circular_oscillator();
+  const Problem scene = circular_oscillator();
   for (const TruncationLaw& law : truncations) {
     double last = infinity;
     for (double error = 1e-2; error > 1e-13; error /= 10) {
@@ -108,9 +108,9 @@ TEST_P(ControlLaws, NoStepGrowsAsTheToleranceShrinks) {
 }
 
 TEST_P(ControlLaws, SeriesThatEndGiveTheLargestStep) {
-  Scene rest = oscillator(1.0, 0.0, 0.0), fall = free_fall();
+  Problem rest = oscillator(1.0, 0.0, 0.0), fall = free_fall();
   for (const TruncationLaw& law : truncations)
-    for (const Scene* scene : {&rest, &fall}) {
+    for (const Problem* scene : {&rest, &fall}) {
       // Those that remember a step double it every time: 0.1 2^7 > 10.
       EXPECT_EQ(proposal(*GetParam().make(law, 1e-6, 10.0, 1.0), *scene, law, 7), 10.0);
       EXPECT_FALSE(std::isnan(proposal(*GetParam().make(law, 1e-6, infinity, 1.0), *scene, law, 2000)));
@@ -118,7 +118,7 @@ TEST_P(ControlLaws, SeriesThatEndGiveTheLargestStep) {
 }
 
 TEST_P(ControlLaws, NoStepIsBeyondTheLargest) {
-  const Scene scene = circular_oscillator();
+  const Problem scene = circular_oscillator();
   for (const TruncationLaw& law : truncations)
     for (double max_step : {1e-3, 0.01, 0.05})
       EXPECT_LE(proposal(*GetParam().make(law, 1.0, max_step, 1.0), scene, law, 10), max_step);
@@ -128,14 +128,14 @@ TEST_P(ControlLaws, NoStepIsBeyondTheRadiusOfConvergence) {
   // x'' = 2 x^3 from x = 1, x' = 1 is x = 1/(1-t).
   System<double> system(1, {1.0});
   system.add<CubicPush>({{0}}, {{}});
-  const Scene scene{std::move(system),
-                    {0.0, Coordinates<double>::Ones(1, 1), Coordinates<double>::Ones(1, 1)}};
+  const Problem scene{std::move(system),
+                      {0.0, Coordinates<double>::Ones(1, 1), Coordinates<double>::Ones(1, 1)}};
   for (const TruncationLaw& law : truncations)
     EXPECT_LT(proposal(*GetParam().make(law, 0.5, infinity, 1.0), scene, law, 50), 1.0);
 }
 
 TEST_P(ControlLaws, ACopyGoesOnAsTheOriginal) {
-  const Scene scene = circular_oscillator();
+  const Problem scene = circular_oscillator();
   const TruncationLaw law = geometric(3, 6, 0.5);
   const auto control = GetParam().make(law, 1e-6, infinity, 1.0);
   proposal(*control, scene, law, 3);
@@ -164,7 +164,7 @@ struct Trace {
   int changes = 0;                                // of the step, after the first 100
 };
 Trace trace(Control& control, const TruncationLaw& law) {
-  const Scene scene = circular_oscillator();
+  const Problem scene = circular_oscillator();
   Expansion<double> series(scene.system, law.max_degree());
   State<double> state = scene.start;
   Trace result;
@@ -216,7 +216,7 @@ TEST(HalveDouble, TakesTheFirstHalvingThatFits) {
 TEST(HalveDouble, DoublesUpToItsLargestStepAndNotBeyond) {
   const TruncationLaw law = geometric(3, 6, 0.5);
   HalveDouble control(0.25, 1.5, 1e-3, 1.0, 3);
-  const Scene rest = oscillator(1.0, 0.0, 0.0);
+  const Problem rest = oscillator(1.0, 0.0, 0.0);
   EXPECT_EQ(proposal(control, rest, law), 0.5);
   EXPECT_EQ(proposal(control, rest, law), 1.0);
   EXPECT_EQ(proposal(control, rest, law), 1.5);

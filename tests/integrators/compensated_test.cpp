@@ -11,7 +11,7 @@
 #include "jetlag/integrators/explicit/leapfrog.hpp"
 #include "jetlag/integrators/taylor.hpp"
 #include "support/digits50.hpp"
-#include "support/scenes_for_tests.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -27,7 +27,7 @@ std::unique_ptr<RandomTaylor> integrator(const System<double>& system, Truncatio
   return std::make_unique<RandomTaylor>(system, std::move(law), std::make_unique<FixedStep>(step), options);
 }
 
-Scene drifting(double x, double v) {
+Problem drifting(double x, double v) {
   return {System<double>(1, {1.0}),
           {0.0, Coordinates<double>::Constant(1, 1, x), Coordinates<double>::Constant(1, 1, v)}};
 }
@@ -37,7 +37,7 @@ TEST(CompensatedSums, KeepTwiceTheDigits) {
   // themselves, and each step rounds theirs twice.
   const double h = 0.001;
   const int steps = 100'000;
-  const Scene scene = drifting(1.0 / 3, 0.1);
+  const Problem scene = drifting(1.0 / 3, 0.1);
   State<double> kept = scene.start, plain = scene.start;
   const auto compensated = integrator(scene.system, fixed_degree(2), h);
   const auto ordinary = taylor(scene.system, 2, std::make_unique<FixedStep>(h));
@@ -57,7 +57,7 @@ TEST(CompensatedSums, KeepTwiceTheDigits) {
 }
 
 TEST(CompensatedSums, MovePositionsByTheRestsOfVelocities) {
-  const Scene scene = drifting(1.0, 1.0);
+  const Problem scene = drifting(1.0, 1.0);
   State<double> state = scene.start;
   state.velocity_rest = Coordinates<double>::Constant(1, 1, 0x1p-60);
   state.position_rest = Coordinates<double>::Constant(1, 1, -0x1p-58);
@@ -73,7 +73,7 @@ TEST(CompensatedSums, MovePositionsByTheRestsOfVelocities) {
 TEST(CompensatedSums, AreThePlainOnesToRounding) {
   // Random degrees for all and for each, both ways to take the velocity; 10 steps of a few roundings of numbers
   // below 2.
-  const Scene scene = spring_cube(1);
+  const Problem scene = spring_cube(1);
   for (VelocitySeries velocity : {VelocitySeries::own_series, VelocitySeries::derivative})
     for (bool shared : {true, false}) {
       State<double> kept = scene.start, plain = scene.start;
@@ -93,7 +93,7 @@ TEST(CompensatedSums, AreThePlainOnesToRounding) {
 
 TEST(CompensatedSums,
      EndWhereAnotherMethodGoesOn) {  // a rest that is no longer that of its position is dropped
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   for (int method : {0, 1}) {
     State<double> state = scene.start;
     Report report;
@@ -110,7 +110,7 @@ TEST(CompensatedSums,
 }
 
 TEST(CompensatedSums, LeaveTheRestsAloneWhereAStepFails) {
-  const Scene scene = falling_together(0.0);
+  const Problem scene = falling_together(0.0);
   State<double> state = scene.start;
   state.position_rest = Coordinates<double>::Constant(2, 2, 0x1p-80);
   Report report;
@@ -121,7 +121,7 @@ TEST(CompensatedSums, LeaveTheRestsAloneWhereAStepFails) {
 }
 
 TEST(CompensatedSums, RefuseRestsOfAnotherShape) {
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   for (bool of_velocity : {false, true}) {
     State<double> state = scene.start;
     (of_velocity ? state.velocity_rest : state.position_rest).setZero(2, 1);

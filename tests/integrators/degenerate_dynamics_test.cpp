@@ -11,7 +11,7 @@
 #include "jetlag/integrators/first_order_taylor.hpp"
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/schedule/lockstep.hpp"
-#include "support/scenes_for_tests.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -27,7 +27,7 @@ std::uint64_t move(const System<>& system, State<>& state, double until) {
 }
 
 TEST(DegenerateDynamics, FreeFallTakesOneStepHoweverLong) {
-  Scene scene = free_fall();  // numbers with few digits: exact
+  Problem scene = free_fall();  // numbers with few digits: exact
   EXPECT_EQ(move(scene.system, scene.start, 1024.0), 1u);
   EXPECT_EQ(scene.start.position,
             (Coordinates<>{{1 - 1024 + 0.25 * 1024 * 1024, 2 + 512 - 0.125 * 1024 * 1024,
@@ -36,28 +36,15 @@ TEST(DegenerateDynamics, FreeFallTakesOneStepHoweverLong) {
 }
 
 TEST(DegenerateDynamics, WhatRestsStaysAtRest) {
-  Scene hanging = oscillator(1.0, 0.0, 0.0), spring = dumbbell(1.0, 1.0, 1.0);
+  Problem hanging = oscillator(1.0, 0.0, 0.0), spring = dumbbell(1.0, 1.0, 1.0);
   spring.start.position(1, 0) = 1.0;  // its rest length
-  for (Scene* scene : {&hanging, &spring}) {
+  for (Problem* scene : {&hanging, &spring}) {
     const State<> before = scene->start;
     EXPECT_EQ(move(scene->system, scene->start, 1e6), 1u);
     EXPECT_EQ(scene->start.position, before.position);
     EXPECT_EQ(scene->start.velocity, before.velocity);
   }
 }
-
-/// F = -x - x^3.
-struct Duffing {
-  static constexpr const char* name = "duffing";
-  static constexpr int participants = 1;
-  static constexpr std::array<const char*, 0> parameters{};
-
-  template <class T, int D>
-  static Vector<T, D> force(const Participants<T, D, 1>& p) {
-    using std::pow;
-    return Vector<T, D>::Constant(-p.position[0][0] - pow(p.position[0][0], 3));
-  }
-};
 
 TEST(DegenerateDynamics, DuffingStartsFromAZeroOfItsPower) {
   // x = A cn(w t - K, k),  A^2 = sqrt(3) - 1,  w^2 = 1 + A^2,  k^2 = A^2 / (2 w^2), from x = 0 with x' = 1.
@@ -69,7 +56,7 @@ TEST(DegenerateDynamics, DuffingStartsFromAZeroOfItsPower) {
   EXPECT_NEAR(x(1), 0.804358357540461, 1e-15);  // what heyoka gives
 
   System<> system(1, {1.0});
-  system.add<Duffing>({{0}}, {{}});
+  system.add<CubicTether>({{0}}, {{}});
   FirstOrderTaylor<> first_order(
       [](const auto&, const auto& y) { return std::array{y[1], -y[0] - pow(y[0], 3.0)}; }, 2);
   State<> state{0.0, Coordinates<>{{0.0}}, Coordinates<>{{1.0}}};
@@ -92,7 +79,7 @@ TEST(DegenerateDynamics, FirstOrderSystemsMayEndOrRest) {  // y' = (1, 2 t, 0): 
 }
 
 TEST(DegenerateDynamics, CollisionsEndWithANameAndTheLastGoodState) {
-  Scene scene = falling_together(1.0);
+  Problem scene = falling_together(1.0);
   State<> state = scene.start;
   Lockstep run(taylor(scene.system, 20, std::make_unique<JorbaZou>()));
   const Report report = run.run(state, 2 * time_of_collision(1.0), {});

@@ -7,9 +7,10 @@
 #include <limits>
 
 #include "jetlag/control/jorba_zou.hpp"
+#include "jetlag/forces/drag.hpp"
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/schedule/lockstep.hpp"
-#include "support/scenes_for_tests.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {

@@ -11,7 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "support/scenes_for_tests.hpp"
+#include "jetlag/forces/drag.hpp"
+#include "jetlag/forces/spring.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -20,7 +22,7 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double n = 64;  // roundings: those of the difference itself, one or two, are little against them
 
 /// What n roundings in a step of length h make of the accelerations, and of their derivatives with order 2.
-std::vector<Coordinates<double>> rounding(const Scene& scene, double h, std::size_t orders = 1) {
+std::vector<Coordinates<double>> rounding(const Problem& scene, double h, std::size_t orders = 1) {
   std::vector<Coordinates<double>> known(orders);
   Report report;
   EXPECT_TRUE(Accelerations(scene.system)(scene.start, known, report)) << report.message;
@@ -34,7 +36,7 @@ TEST(ForceRounding, IsStiffnessTimesRoundingOfThePosition) {
       System<double> system(1, {1.0, 4.0});
       system.fix(0);
       system.add<Spring>({{0, 1}}, {{stiffness, 1.0}});
-      Scene scene{std::move(system), {0.0, Coordinates<double>(2, 1), Coordinates<double>::Zero(2, 1)}};
+      Problem scene{std::move(system), {0.0, Coordinates<double>(2, 1), Coordinates<double>::Zero(2, 1)}};
       scene.start.position << offset, offset + 1;  // at rest
       const double da = rounding(scene, 0.1).front()(1, 0),
                    unit = stiffness / 4 * n * eps * scene.start.position(1, 0);
@@ -48,8 +50,8 @@ TEST(ForceRounding, SeesTwoParticlesThatRoundInTheSameWay) {
   // Both ends of the spring of 1000 dumbbells far away: the two are never moved alike.
   const int pairs = 1000;
   System<double> system(1, std::vector<double>(2 * pairs, 1.0));
-  Scene scene{std::move(system),
-              {0.0, Coordinates<double>(2 * pairs, 1), Coordinates<double>::Zero(2 * pairs, 1)}};
+  Problem scene{std::move(system),
+                {0.0, Coordinates<double>(2 * pairs, 1), Coordinates<double>::Zero(2 * pairs, 1)}};
   for (int i = 0; i < pairs; ++i) {
     scene.system.add<Spring>({{2 * i, 2 * i + 1}}, {{1.0, 1.0}});
     scene.start.position(2 * i, 0) = 1e6;
@@ -63,8 +65,8 @@ TEST(ForceRounding, SeesTwoParticlesThatRoundInTheSameWay) {
 TEST(ForceRounding, ContainsThatOfVelocitiesTimeAndTheWayOfTheStep) {
   // Drag c: c n eps (|v| + h |a|) u.  cos(w t) at w t = pi/2: w n eps (t + h) u.
   // A tether at 0 that moves: k n eps h |v| u.
-  Scene sliding = oscillator(0.0, 0.0, 2.0), shaken = oscillator(0.0, 0.0, 0.0),
-        crossing = oscillator(1.0, 0.0, 3.0);
+  Problem sliding = oscillator(0.0, 0.0, 2.0), shaken = oscillator(0.0, 0.0, 0.0),
+          crossing = oscillator(1.0, 0.0, 3.0);
   sliding.system.add<Drag>({{0}}, {{0.5}});
   shaken.system.add<Shaker>({{0}}, {{std::numbers::pi / 2 * 1e-3}});
   shaken.start.time = 1e3;

@@ -31,7 +31,7 @@
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/model/energy.hpp"
 #include "jetlag/schedule/lockstep.hpp"
-#include "support/scenes_for_tests.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 
@@ -234,7 +234,7 @@ inline const std::vector<Method> methods = {
 };
 
 /// Where a run from scene.start ends.
-inline State<double> after(const Scene& scene, std::unique_ptr<Integrator> integrator, double until) {
+inline State<double> after(const Problem& scene, std::unique_ptr<Integrator> integrator, double until) {
   State<double> state = scene.start;
   EXPECT_EQ(Lockstep(std::move(integrator)).run(state, until, {}).outcome, Outcome::success);
   return state;
@@ -242,7 +242,7 @@ inline State<double> after(const Scene& scene, std::unique_ptr<Integrator> integ
 
 class IntegratorLaws : public ::testing::TestWithParam<Method> {
  protected:
-  std::unique_ptr<Integrator> make(const Scene& scene, double step, std::uint64_t seed = 1) const {
+  std::unique_ptr<Integrator> make(const Problem& scene, double step, std::uint64_t seed = 1) const {
     return GetParam().make(scene.system, step, seed);
   }
 };
@@ -260,7 +260,7 @@ inline std::vector<Method> methods_that_declare(bool Method::* property) {
 
 /// Root mean square over seeds of the error of the planet's position and velocity at t = 1.
 inline double error_at_one(const Method& method, double e, double step) {
-  const Scene scene = planet(e);
+  const Problem scene = planet(e);
   const KeplerPoint truth = kepler(e, 1.0);
   const int seeds = method.random ? 1000 : 1;
   double squares = 0;
@@ -288,7 +288,7 @@ TEST_P(IntegratorLaws, MotionsOfItsDegreeAreExact) {
   // Free fall is of degree 2; without a field, of degree 1.
   if (GetParam().exact_degree < 0) GTEST_SKIP() << GetParam().name << " perturbs every motion";
   ASSERT_GE(GetParam().exact_degree, 1);
-  Scene scene = free_fall();
+  Problem scene = free_fall();
   if (GetParam().exact_degree < 2) {
     scene.system = System<double>(3, {2.0});
   }
@@ -307,7 +307,7 @@ TEST_P(IntegratorLaws, MotionsOfItsDegreeAreExact) {
 }
 
 TEST_P(SymmetricIntegratorLaws, StepsForthAndBackReturn) {
-  const Scene scene = spring_cube(1);
+  const Problem scene = spring_cube(1);
   State<double> state = scene.start;
   const auto integrator = make(scene, 0.25);
   Report report;
@@ -327,7 +327,7 @@ TEST_P(SymmetricIntegratorLaws, StepsForthAndBackReturn) {
 
 TEST_P(BoundedEnergyIntegratorLaws, TheEnergyErrorDoesNotGrowWithTime) {
   // 500 periods of Kepler e = .3: the largest error of the last 10 periods is that of the first 10.
-  const Scene scene = planet(0.3);
+  const Problem scene = planet(0.3);
   const double period = 2 * std::numbers::pi;
   EnergyMeter energy(scene.system);
   double first = 0, last = 0;
@@ -346,7 +346,7 @@ TEST_P(BoundedEnergyIntegratorLaws, TheEnergyErrorDoesNotGrowWithTime) {
 }
 
 TEST_P(IntegratorLaws, NoStepIsLongerThanTheLimit) {
-  const Scene scene = spring_cube(2);
+  const Problem scene = spring_cube(2);
   const auto integrator = make(scene, 0.1);
   State<double> state = scene.start;
   Report report;
@@ -362,7 +362,7 @@ TEST_P(IntegratorLaws, NoStepIsLongerThanTheLimit) {
 }
 
 TEST_P(IntegratorLaws, TheTimeOfTheStateIsLeftToTheCaller) {
-  Scene scene = spring_cube(2);
+  Problem scene = spring_cube(2);
   scene.start.time = 3.0;
   State<double> state = scene.start;
   Report report;
@@ -371,7 +371,7 @@ TEST_P(IntegratorLaws, TheTimeOfTheStateIsLeftToTheCaller) {
 }
 
 TEST_P(IntegratorLaws, ThePieceIsTheStep) {
-  const Scene scene = spring_cube(3);
+  const Problem scene = spring_cube(3);
   const auto integrator = make(scene, 0.125);
   State<double> state = scene.start;
   Report report;
@@ -392,13 +392,13 @@ TEST_P(IntegratorLaws, ThePieceIsTheStep) {
 
 TEST_P(IntegratorLaws, AFailedStepLeavesTheStateAlone) {
   // Springs without length, particles that coincide, a step too small for the time, a state that overflows.
-  Scene coincident = falling_together(0.0);
-  Scene collapsed = dumbbell(1.0, 1.0, 1.0);
+  Problem coincident = falling_together(0.0);
+  Problem collapsed = dumbbell(1.0, 1.0, 1.0);
   collapsed.start.position.setZero();
-  Scene late = oscillator();
+  Problem late = oscillator();
   late.start.time = 1e20;
-  const Scene huge = oscillator(1.0, 1e308, 1e308);
-  using Case = std::pair<const Scene*, Outcome>;
+  const Problem huge = oscillator(1.0, 1e308, 1e308);
+  using Case = std::pair<const Problem*, Outcome>;
   for (const auto& [scene, outcome] :
        {Case{&coincident, Outcome::non_finite}, Case{&collapsed, Outcome::non_finite},
         Case{&late, Outcome::step_underflow}, Case{&huge, Outcome::non_finite}}) {
@@ -419,7 +419,7 @@ TEST_P(IntegratorLaws, AFailedStepLeavesTheStateAlone) {
 }
 
 TEST_P(IntegratorLaws, FixedParticlesStayWhereTheyAre) {
-  Scene scene = spring_cube(4);
+  Problem scene = spring_cube(4);
   for (int i : {0, 5}) {
     scene.system.fix(i);
     scene.start.velocity.row(i).setZero();
@@ -432,7 +432,7 @@ TEST_P(IntegratorLaws, FixedParticlesStayWhereTheyAre) {
 }
 
 TEST_P(IntegratorLaws, TheSameSeedGivesTheSameBits) {
-  const Scene scene = spring_cube(5);
+  const Problem scene = spring_cube(5);
   const State<double> one = after(scene, make(scene, 0.1, 7), 2.0),
                       two = after(scene, make(scene, 0.1, 7), 2.0);
   const State<double> other = after(scene, make(scene, 0.1, 8), 2.0);
@@ -442,7 +442,7 @@ TEST_P(IntegratorLaws, TheSameSeedGivesTheSameBits) {
 }
 
 TEST_P(IntegratorLaws, StepsAndUpdatesAreCounted) {
-  Scene scene = spring_cube(6);
+  Problem scene = spring_cube(6);
   scene.system.fix(3);
   scene.start.velocity.row(3).setZero();
   Lockstep lockstep(make(scene, 0.125));

@@ -15,7 +15,7 @@
 #include "jetlag/model/energy.hpp"
 #include "jetlag/schedule/lockstep.hpp"
 #include "jetlag/truncation/draws.hpp"
-#include "support/scenes_for_tests.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -69,7 +69,7 @@ struct PlanetRun {
   Roundings roundings;
 };
 PlanetRun run_planet(double e, int periods, bool compensated) {
-  const Scene scene = planet(e);
+  const Problem scene = planet(e);
   State<double> state = scene.start, before = scene.start;
   PlanetRun run{};
   RunOptions options;
@@ -111,7 +111,7 @@ TEST(Kepler, EndsAtThePublishedPositions) {
                         {.99, 100, -0.9388973273317407724449242, -0.1408830418653661464724342, 1e-12, 0},
                         {.99, 1000, -1.320695160352823732570402, 0.1331305755538241558829508, 1e-12, 1e-7},
                         {.999, 100, -0.9573122285019766715756194, -0.04467131067346636135677615, 4e-12, 0}}) {
-    Scene scene = planet(c.e);
+    Problem scene = planet(c.e);
     const State<double> start = scene.start;
     ASSERT_EQ(degree_20(scene.system, true).run(scene.start, c.t, {}).outcome, Outcome::success);
     EXPECT_LE(std::abs(energy_error(scene.start) - energy_error(start)), c.energy_error)
@@ -129,7 +129,7 @@ TEST(Brouwer, EnergyErrorsInCompensatedSumsGrowWithTheRootOfTime) {
   double early = 0, late = 0;
   const int runs = 32;
   for (int run = 0; run < runs; ++run) {
-    Scene scene = planet(0.5);
+    Problem scene = planet(0.5);
     const KeplerPoint point = kepler(0.5, period * uniform(1, 0, run));
     const Eigen::Rotation2Dd turn(period * uniform(1, 1, run));
     scene.start.position.row(1) = point.position * turn.toRotationMatrix();
@@ -145,26 +145,10 @@ TEST(Brouwer, EnergyErrorsInCompensatedSumsGrowWithTheRootOfTime) {
   EXPECT_LT(std::sqrt(late), 2.5e-15) << "seed 1";
 }
 
-/// x'' = -sin x.
-struct Pendulum {
-  static constexpr const char* name = "pendulum";
-  static constexpr int participants = 1;
-  static constexpr std::array<const char*, 0> parameters{};
-
-  template <class T, int D>
-  static Vector<T, D> force(const Participants<T, D, 1>& p) {
-    using std::sin;
-    Vector<T, D> f = p.position[0];
-    f[0] = -p.mass[0] * sin(T(f[0]));
-    return f;
-  }
-};
-
 TEST(Pendulum, SwingsBackToWhereItBegan) {
-  System<double> system(1, {1.0});
-  system.add<Pendulum>({{0}}, {{}});
-  State<double> state{0.0, Coordinates<double>::Constant(1, 1, 1.3), Coordinates<double>::Zero(1, 1)};
-  Lockstep lockstep = degree_20(system, true);
+  const Problem swing = pendulum();
+  State<double> state = swing.start;
+  Lockstep lockstep = degree_20(swing.system, true);
   ASSERT_EQ(lockstep.run(state, 10.0, {}).outcome, Outcome::success);
   state.velocity *= -1;
   state.velocity_rest *= -1;

@@ -11,10 +11,12 @@
 #include <vector>
 
 #include "jetlag/control/fixed_step.hpp"
+#include "jetlag/forces/uniform_field.hpp"
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/model/energy.hpp"
 #include "jetlag/schedule/lockstep.hpp"
-#include "support/scenes_for_tests.hpp"
+#include "jetlag/truncation/draws.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -37,7 +39,7 @@ std::map<int, Eigen::Matrix2d> step_matrices(const TruncationLaw& law, VelocityS
     Eigen::Matrix2d columns;
     int degree = 0;
     for (int c = 0; c < 2; ++c) {
-      const Scene scene = oscillator(1.0, c == 0, c == 1);
+      const Problem scene = oscillator(1.0, c == 0, c == 1);
       const auto one = integrator(scene.system, law, h, {seed, true, velocity});
       State<double> state = scene.start;
       Report report;
@@ -98,7 +100,7 @@ TEST(RandomTaylor, IsTaylorsMethodOfTheLargestDegreeInTheMean) {
 /// Root mean square over 64 seeds of the energy error of a planet, e = .3, after so many periods of 118.3719
 /// steps.
 double energy_error(const TruncationLaw& law, int periods, int seeds) {
-  const Scene scene = planet(0.3);
+  const Problem scene = planet(0.3);
   EnergyMeter energy(scene.system);
   double squares = 0;
   for (int seed = 1; seed <= seeds; ++seed) {
@@ -131,7 +133,7 @@ TEST(RandomTaylor, LetsTheEnergyErrorWalkWhereAFixedDegreeLetsItRun) {
 
 TEST(RandomTaylor, KeepsMomentumWithOneDrawForAll) {
   // Every coefficient of the forces between particles sums to zero. A field acts from outside: M g t.
-  Scene scene = spring_cube(1);
+  Problem scene = spring_cube(1);
   const Eigen::RowVector3d field(1e-3, -2e-3, 5e-4);
   scene.system.add<UniformField>({{0}, {1}, {2}, {3}, {4}, {5}, {6}, {7}}, {{field[0], field[1], field[2]}});
   double total_mass = 0;
@@ -148,8 +150,8 @@ TEST(RandomTaylor, KeepsMomentumWithOneDrawForAll) {
 
 /// sum_i m_i^2 Var(v_i), added over the components: how far the momentum is scattered by the next step, from
 /// the terms of the velocities in this state.
-double momentum_variance(const Scene& scene, const TruncationLaw& law, double step, Expansion<double>& series,
-                         const State<double>& state) {
+double momentum_variance(const Problem& scene, const TruncationLaw& law, double step,
+                         Expansion<double>& series, const State<double>& state) {
   const int n = law.max_degree();
   series.start(state);
   series.grow_to(n + 1);
@@ -165,7 +167,7 @@ double momentum_variance(const Scene& scene, const TruncationLaw& law, double st
 
 TEST(RandomTaylor, LetsMomentumWalkAsPredictedWithADrawForEachParticle) {
   // The momentum is a martingale: its mean square after n steps is the sum of the variances of the steps.
-  const Scene scene = spring_cube(1);
+  const Problem scene = spring_cube(1);
   const TruncationLaw law = geometric(3, 6, 0.5);
   const double step = 0.25;
   const int seeds = 200, steps = 160;
@@ -194,7 +196,7 @@ TEST(RandomTaylor, LetsMomentumWalkAsPredictedWithADrawForEachParticle) {
 // ---- draws ------------------------------------------------------------------------------------------------
 
 /// `n` oscillators that do not see each other, all from the same state.
-Scene equal_oscillators(int n) {
+Problem equal_oscillators(int n) {
   System<double> system(1, std::vector<double>(n, 1.0));
   std::vector<std::array<int, 1>> all;
   for (int i = 0; i < n; ++i) all.push_back({i});
@@ -202,7 +204,7 @@ Scene equal_oscillators(int n) {
   return {std::move(system), {0.0, Coordinates<double>::Ones(n, 1), Coordinates<double>::Zero(n, 1)}};
 }
 
-State<double> after(const Scene& scene, RandomTaylor::Options options, double until) {
+State<double> after(const Problem& scene, RandomTaylor::Options options, double until) {
   State<double> state = scene.start;
   EXPECT_EQ(
       Lockstep(integrator(scene.system, geometric(3, 8, 0.5), 0.25, options)).run(state, until, {}).outcome,
@@ -233,7 +235,7 @@ TEST(RandomTaylor, DrawsForAParticleWhateverElseThereIs) {
 TEST(RandomTaylor, TakesTheDegreesOfTheDraws) {
   // From rest at x = 1 the terms of cos and sin, weighted, stopped where `uniform` says.
   const TruncationLaw law = geometric(3, 8, 0.5);
-  const Scene scene = equal_oscillators(50);
+  const Problem scene = equal_oscillators(50);
   const double h = 0.25;
   State<double> state = scene.start;
   Report report;
@@ -258,7 +260,7 @@ TEST(RandomTaylor, MayStopBeforeTheFirstTerm) {
   const TruncationLaw law("half", {1.0, 0.5});
   int stopped = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    const Scene scene = oscillator(1.0, 1.0, 0.5);
+    const Problem scene = oscillator(1.0, 1.0, 0.5);
     const auto one = integrator(scene.system, law, 0.25, {seed, true, VelocitySeries::derivative});
     State<double> state = scene.start;
     Report report;

@@ -8,11 +8,12 @@
 
 #include "jetlag/control/fixed_step.hpp"
 #include "jetlag/control/jorba_zou.hpp"
+#include "jetlag/forces/gravity.hpp"
 #include "jetlag/integrators/state_variance.hpp"
 #include "jetlag/schedule/lockstep.hpp"
 #include "jetlag/truncation/poisson.hpp"
 #include "jetlag/truncation/single_term.hpp"
-#include "support/scenes_for_tests.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -44,17 +45,17 @@ const std::vector<Kind>& kinds() {
 }
 
 /// Two planets of one sun, of different speeds.
-Scene planets() {
+Problem planets() {
   System<double> system(2, {1.0, 1e-3, 1e-3});
   system.fix(0);
   system.add<Gravity>({{0, 1}, {0, 2}}, {{1.0}});
-  Scene scene{std::move(system), {0.0, Coordinates<double>::Zero(3, 2), Coordinates<double>::Zero(3, 2)}};
+  Problem scene{std::move(system), {0.0, Coordinates<double>::Zero(3, 2), Coordinates<double>::Zero(3, 2)}};
   scene.start.position.col(0) << 0, 1, -2;
   scene.start.velocity.col(1) << 0, 1.1, -0.6;
   return scene;
 }
 
-std::unique_ptr<RandomTaylor> method(const Scene& scene, const Kind& kind, std::uint64_t seed) {
+std::unique_ptr<RandomTaylor> method(const Problem& scene, const Kind& kind, std::uint64_t seed) {
   RandomTaylor::Options options{seed, kind.shared};
   options.draws = kind.draws;
   return std::make_unique<RandomTaylor>(scene.system, kind.law, std::make_unique<FixedStep>(h), options);
@@ -64,7 +65,7 @@ class EveryTruncation : public ::testing::TestWithParam<Kind> {};
 
 TEST_P(EveryTruncation, TakesUnbiasedSteps) {
   const Kind& kind = GetParam();
-  const Scene scene = planets();
+  const Problem scene = planets();
   const auto degree = std::visit([](const auto& law) { return law.max_degree(); }, kind.law);
   Expansion<double> series(scene.system);
   series.start(scene.start);
@@ -92,7 +93,7 @@ TEST_P(EveryTruncation, TakesUnbiasedSteps) {
 }
 
 TEST_P(EveryTruncation, ComputesTheOrdersItDrawsAndNoMore) {  // of two elements, orders 0 .. K-1
-  const Scene scene = planets();
+  const Problem scene = planets();
   std::uint64_t total = 0;
   for (int seed = 1; seed <= 200; ++seed) {
     const auto one = method(scene, GetParam(), seed);
@@ -114,7 +115,7 @@ TEST_P(EveryTruncation, ComputesTheOrdersItDrawsAndNoMore) {  // of two elements
 }
 
 TEST_P(EveryTruncation, MovesAlongItsPiece) {
-  const Scene scene = planets();
+  const Problem scene = planets();
   for (int seed = 1; seed <= 20; ++seed) {
     const auto one = method(scene, GetParam(), seed);
     State<double> state = scene.start;
@@ -127,7 +128,7 @@ TEST_P(EveryTruncation, MovesAlongItsPiece) {
 }
 
 TEST_P(EveryTruncation, RepeatsItselfBitForBit) {
-  const Scene scene = planets();
+  const Problem scene = planets();
   const auto end = [&](std::uint64_t seed) {
     State<double> state = scene.start;
     EXPECT_EQ(Lockstep(method(scene, GetParam(), seed)).run(state, 20.0, {}).outcome, Outcome::success);
@@ -143,7 +144,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, EveryTruncation, ::testing::ValuesIn(kinds()),
 
 TEST(SequentialTruncation,
      KnowsAllTermsWhereTheControlReadsThem) {  // the step is the control's, the mean unbiased
-  const Scene scene = planets();
+  const Problem scene = planets();
   RandomTaylor one(scene.system, sequential(2, 10, 1e-3), std::make_unique<JorbaZou>());
   RandomTaylor fixed(scene.system, fixed_degree(10), std::make_unique<JorbaZou>());
   State<double> state = scene.start, other = scene.start;
@@ -153,7 +154,7 @@ TEST(SequentialTruncation,
 }
 
 TEST(RandomTaylor, RefusesDrawsThatDoNotGoWithTheLaw) {
-  const Scene scene = planets();
+  const Problem scene = planets();
   EXPECT_THROW(method(scene, {"", geometric(3, 6, 0.3), Draw::ruler, true}, 1), std::invalid_argument);
   EXPECT_THROW(method(scene, {"", sequential(3, 6, 1.0), Draw::ruler, true}, 1), std::invalid_argument);
   EXPECT_THROW(method(scene, {"", geometric(3, 6, 0.5), Draw::stratified, true}, 1), std::invalid_argument);

@@ -13,12 +13,16 @@
 #include <string>
 #include <vector>
 
+#include "jetlag/forces/drag.hpp"
+#include "jetlag/forces/gravity.hpp"
+#include "jetlag/forces/spring.hpp"
+#include "jetlag/forces/uniform_field.hpp"
 #include "jetlag/integrators/explicit/dop853.hpp"
 #include "jetlag/integrators/explicit/dopri5.hpp"
 #include "jetlag/integrators/explicit/gauss_radau.hpp"
 #include "jetlag/integrators/explicit/hermite.hpp"
 #include "jetlag/schedule/lockstep.hpp"
-#include "support/scenes_for_tests.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -59,7 +63,7 @@ struct Ending {
   double tries;  // steps, and those tried again
 };
 /// To `until`, in a number of steps that a run which starves uses up.
-Ending run(const Scene& scene, const Make& make, double until) {
+Ending run(const Problem& scene, const Make& make, double until) {
   Ending run{{}, scene.start, 0};
   Lockstep lockstep(make(scene.system));
   RunOptions options;
@@ -71,11 +75,11 @@ Ending run(const Scene& scene, const Make& make, double until) {
 
 /// Unit masses in a row at x = offset, offset + 1, .., the first one held, springs of length 1 between them; the last
 /// mass is pulled by `stretch`.
-Scene row(double offset, const std::vector<double>& stiffness, double stretch) {
+Problem row(double offset, const std::vector<double>& stiffness, double stretch) {
   const int n = static_cast<int>(stiffness.size()) + 1;
   System<double> system(1, std::vector<double>(n, 1.0));
   system.fix(0);
-  Scene scene{std::move(system), {0.0, Coordinates<double>(n, 1), Coordinates<double>::Zero(n, 1)}};
+  Problem scene{std::move(system), {0.0, Coordinates<double>(n, 1), Coordinates<double>::Zero(n, 1)}};
   std::vector<std::array<int, 2>> pairs;
   std::vector<std::array<double, 2>> springs;
   for (int i = 0; i < n; ++i) {
@@ -89,13 +93,13 @@ Scene row(double offset, const std::vector<double>& stiffness, double stretch) {
 }
 
 /// A unit mass at a spring, k = 100 and length 1, in a field, slowed down by 1/s: at rest 1.098 below.
-Scene damped_pendulum() {
+Problem damped_pendulum() {
   System<double> system(2, {1.0, 1.0});
   system.fix(0);
   system.add<Spring>({{0, 1}}, {{100.0, 1.0}});
   system.add<UniformField>({{1}}, {{0.0, -9.8}});
   system.add<Drag>({{1}}, {{1.0}});
-  Scene scene{std::move(system), {0.0, Coordinates<double>::Zero(2, 2), Coordinates<double>::Zero(2, 2)}};
+  Problem scene{std::move(system), {0.0, Coordinates<double>::Zero(2, 2), Coordinates<double>::Zero(2, 2)}};
   scene.start.position(1, 0) = 1.0;
   return scene;
 }
@@ -111,7 +115,7 @@ TEST(RoundingFloor, GaussRadauTakesNoMoreStepsFarFromTheOrigin) {
   // sqrt(50 h) eps X / 2 with h < 3, and three deviations.
   for (const double stretch : {1e-1, 1e-3, 1e-5})
     for (const double offset : {0.0, 10.0, 1e3, 1e6}) {
-      const Scene scene = row(offset, {1.0}, stretch);
+      const Problem scene = row(offset, {1.0}, stretch);
       const Ending result = run(scene, gauss_radau(), 50.0);
       ASSERT_EQ(result.report.outcome, Outcome::success) << offset << " " << stretch;
       EXPECT_LE(result.tries, 1.1 * 50 / length_of_gauss_radau(1.0)) << offset << " " << stretch;
@@ -144,7 +148,7 @@ TEST(RoundingFloor, GaussRadauFollowsASatelliteOfTheEarthAboutTheSun) {
   const double sun = 1.32712440018e20, earth = 3.98589e14, far = 1.495978707e11, near = 7e6;
   System<double> system(2, {sun / 6.6743e-11, earth / 6.6743e-11, 1000.0});
   system.add<Gravity>({{0, 1}, {0, 2}, {1, 2}}, {{6.6743e-11}});
-  Scene scene{std::move(system), {0.0, Coordinates<double>::Zero(3, 2), Coordinates<double>::Zero(3, 2)}};
+  Problem scene{std::move(system), {0.0, Coordinates<double>::Zero(3, 2), Coordinates<double>::Zero(3, 2)}};
   scene.start.position.col(0) << 0.0, far, far + near;
   scene.start.velocity.col(1) << 0.0, std::sqrt(sun / far), std::sqrt(sun / far) + std::sqrt(earth / near);
   const Ending result = run(scene, gauss_radau(), 86400.0);
@@ -158,7 +162,7 @@ TEST(RoundingFloor, AtRestStepsGrowToTheBorderOfStability) {
   // The velocity, at first below 5 m/s, falls as e^{-t/2} to 1e-14 in 67 s; until then there is a motion to follow,
   // with no more steps a second than in the first 20 s. After that 1 / w is stable for each of them, w = 10/s the
   // fastest frequency; steps that grow beyond and are cut back may be half of that in the mean.
-  const Scene scene = damped_pendulum();
+  const Problem scene = damped_pendulum();
   for (const Method& method : controlled) {
     const Ending moving = run(scene, method.make, 20.0), resting = run(scene, method.make, 1000.0);
     ASSERT_EQ(moving.report.outcome, Outcome::success) << method.name << ": " << moving.report.message;
@@ -173,7 +177,7 @@ TEST(RoundingFloor, AtRestStepsGrowToTheBorderOfStability) {
 TEST(RoundingFloor, DragAloneBringsAParticleToRest) {
   // v = e^{-ct}, c = 100/s, falls below the least double in 7.5 s; until then there are no more steps a second than in
   // the first, and then, among roundings of the least double, steps of 1 / (4 c): 3 / c is stable.
-  Scene scene = oscillator(0.0, 0.0, 1.0);
+  Problem scene = oscillator(0.0, 0.0, 1.0);
   scene.system.add<Drag>({{0}}, {{100.0}});
   for (const Method& method : controlled) {
     const Ending moving = run(scene, method.make, 1.0), resting = run(scene, method.make, 20.0);
@@ -198,7 +202,7 @@ TEST(RoundingFloor, NoMethodTakesMoreStepsFarFromTheOrigin) {
 TEST(RoundingFloor, AToleranceBelowEpsilonAsksForNoMoreThanEpsilon) {
   // The error of a step is held at tolerance + eps, and h ~ (tolerance + eps)^(1/q): 1e-20 against 1e-16.
   for (const RungeKuttaTable* table : {&dopri5(), &dop853()}) {
-    const Scene scene = planet(0.5);
+    const Problem scene = planet(0.5);
     const Ending tight = run(scene, embedded(*table, 1e-16), 2 * std::numbers::pi),
                  tighter = run(scene, embedded(*table, 1e-20), 2 * std::numbers::pi);
     ASSERT_EQ(tighter.report.outcome, Outcome::success) << table->name;
@@ -211,7 +215,7 @@ TEST(RoundingFloor, WhereNoStepIsLeftTheRunEnds) {
   // Two bodies that fall into each other, T = 0.56 s: each step is a 30th of what is left of it at least, until it is
   // ten roundings of the time; the time itself, a sum with its rest, is rounded by half a one.
   for (const Method& method : controlled) {
-    const Scene scene = falling_together(1.0);
+    const Problem scene = falling_together(1.0);
     State<double> state = scene.start;
     double shortest = std::numeric_limits<double>::infinity();  // in roundings of the time
     RunOptions options;

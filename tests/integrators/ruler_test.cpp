@@ -15,7 +15,7 @@
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/model/energy.hpp"
 #include "jetlag/schedule/lockstep.hpp"
-#include "support/scenes_for_tests.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -30,7 +30,7 @@ struct Errors {
 Errors errors(const TruncationLaw& law, Draw draws, double steps_a_period, int periods, int seeds) {
   const double step = 2 * std::numbers::pi / steps_a_period;
   const auto steps = static_cast<std::uint64_t>(std::llround(steps_a_period * periods));
-  const Scene scene = planet(0.3);
+  const Problem scene = planet(0.3);
   EnergyMeter meter(scene.system);
   Errors sum;
   for (int seed = 1; seed <= seeds; ++seed) {

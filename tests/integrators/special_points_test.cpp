@@ -8,7 +8,7 @@
 #include "jetlag/control/jorba_zou.hpp"
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/schedule/lockstep.hpp"
-#include "support/scenes_for_tests.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -22,7 +22,7 @@ Lockstep jorba_zou(const System<double>& system) {
 
 TEST(FreeFall, IsOneStepAsLongAsTheRun) {
   for (double until : {1e-9, 1.0, 1e9}) {
-    Scene scene = free_fall();
+    Problem scene = free_fall();
     Lockstep lockstep = jorba_zou(scene.system);
     State<double> state = scene.start;
     ASSERT_EQ(lockstep.run(state, until, {}).outcome, Outcome::success);
@@ -33,7 +33,7 @@ TEST(FreeFall, IsOneStepAsLongAsTheRun) {
 }
 
 TEST(Rest, IsOneStepAsLongAsTheRun) {
-  Scene scene = oscillator(1.0, 0.0, 0.0);
+  Problem scene = oscillator(1.0, 0.0, 0.0);
   Lockstep lockstep = jorba_zou(scene.system);
   ASSERT_EQ(lockstep.run(scene.start, 1e6, {}).outcome, Outcome::success);
   EXPECT_EQ(lockstep.work().steps, 1u);
@@ -41,26 +41,9 @@ TEST(Rest, IsOneStepAsLongAsTheRun) {
   EXPECT_EQ(scene.start.velocity(0, 0), 0.0);
 }
 
-/// x'' = -x - x^3, with the cube as a power.
-struct Duffing {
-  static constexpr const char* name = "Duffing";
-  static constexpr int participants = 1;
-  static constexpr std::array<const char*, 0> parameters{};
-
-  template <class T, int D>
-  static Vector<T, D> force(const Participants<T, D, 1>& p) {
-    Vector<T, D> f = p.position[0];
-    for (T& x : f) {
-      using std::pow;
-      x = -p.mass[0] * (x + pow(x, 3));
-    }
-    return f;
-  }
-};
-
 TEST(Duffing, StartsAtTheOrigin) {
   System<double> system(1, {1.0});
-  system.add<Duffing>({{0}}, {{}});
+  system.add<CubicTether>({{0}}, {{}});
   Lockstep lockstep = jorba_zou(system);
   State<double> state{0.0, Coordinates<double>::Zero(1, 1), Coordinates<double>::Ones(1, 1)};
   const Report report = lockstep.run(state, 1.0, {});
@@ -71,7 +54,7 @@ TEST(Duffing, StartsAtTheOrigin) {
 }
 
 TEST(CoincidentParticles, AreAnErrorThatNamesThem) {
-  Scene scene = falling_together(0.0);
+  Problem scene = falling_together(0.0);
   const State<double> before = scene.start;
   const Report report = jorba_zou(scene.system).run(scene.start, 1.0, {});
   EXPECT_EQ(report.outcome, Outcome::non_finite);

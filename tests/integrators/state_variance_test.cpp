@@ -9,7 +9,7 @@
 
 #include "jetlag/truncation/poisson.hpp"
 #include "jetlag/truncation/single_term.hpp"
-#include "support/scenes_for_tests.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -38,7 +38,7 @@ X mean_over_degrees(const Expansion<double>& series, const TruncationLaw& law, d
 }
 
 TEST(StateVariance, IsThatOfTheEnumeration) {
-  const Scene scene = planet(0.3);
+  const Problem scene = planet(0.3);
   Expansion<double> series(scene.system);
   series.start(scene.start);
   series.grow_to(7);
@@ -59,7 +59,7 @@ TEST(StateVariance, IsThatOfTheEnumeration) {
 }
 
 TEST(RandomEnergy, IsWhatAnOscillatorGainsInTheMean) {  // quadratic: exact
-  const Scene scene = oscillator(1.0, 0.6, 0.8);
+  const Problem scene = oscillator(1.0, 0.6, 0.8);
   Expansion<double> series(scene.system);
   series.start(scene.start);
   series.grow_to(7);
@@ -80,7 +80,7 @@ TEST(RandomEnergy, IsWhatAnOscillatorGainsInTheMean) {  // quadratic: exact
 TEST(RandomEnergy, AddsThePublishedEnergyToAnOscillator) {
   // (3, 6, 1/2) at y = .1, relative: y^8 (1/576 + 1/2880), less y^8/2880 by which T_6 grows itself; the next order in y
   // is 1 %.
-  const Scene scene = oscillator(1.0, 0.6, 0.8);
+  const Problem scene = oscillator(1.0, 0.6, 0.8);
   Expansion<double> series(scene.system);
   series.start(scene.start);
   series.grow_to(7);
@@ -89,7 +89,7 @@ TEST(RandomEnergy, AddsThePublishedEnergyToAnOscillator) {
 }
 
 TEST(RandomEnergy, IsTheFirstTermForAPlanet) {  // U is cubic beyond: an error of the size of S / |x|
-  const Scene scene = planet(0.3);
+  const Problem scene = planet(0.3);
   Expansion<double> series(scene.system);
   series.start(scene.start);
   series.grow_to(7);
@@ -103,7 +103,7 @@ TEST(RandomEnergy, IsTheFirstTermForAPlanet) {  // U is cubic beyond: an error o
 }
 
 TEST(StateVariance, RefusesASeriesThatIsTooShort) {
-  const Scene scene = planet(0.3);
+  const Problem scene = planet(0.3);
   Expansion<double> series(scene.system);
   series.start(scene.start);
   series.grow_to(4);

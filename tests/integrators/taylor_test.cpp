@@ -14,9 +14,11 @@
 #include "jetlag/control/fixed_step.hpp"
 #include "jetlag/control/jorba_zou.hpp"
 #include "jetlag/control/variance_target.hpp"
+#include "jetlag/forces/drag.hpp"
 #include "jetlag/model/energy.hpp"
 #include "jetlag/schedule/lockstep.hpp"
-#include "support/scenes_for_tests.hpp"
+#include "jetlag/truncation/draws.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -55,7 +57,7 @@ struct PlanetRun {
   State<double> end;
 };
 PlanetRun run_planet(double e, double until) {
-  const Scene scene = planet(e);
+  const Problem scene = planet(e);
   EnergyMeter energy(scene.system);
   PlanetRun run;
   RunOptions options;
@@ -100,7 +102,7 @@ TEST(Taylor, IsThePartialSumOfTheExponentialOnAnOscillator) {
   // One step of degree N: x + i v = sum (-i h)^n / n! to the last few bits.
   const double h = 0.5;
   for (int degree : {1, 2, 5, 8, 20}) {
-    const Scene scene = oscillator();
+    const Problem scene = oscillator();
     State<double> state = scene.start;
     Report report;
     taylor(scene.system, degree, std::make_unique<FixedStep>(h))->step(state, 1.0, report);
@@ -131,7 +133,7 @@ Work work_of(const System<double>& system, const State<double>& start, Truncatio
 TEST(Work, IsTheDegreeForEachElementAndStep) {
   // Velocities from their own series need coefficient N + 1 of x, and so N coefficients of the force; from
   // the derivative of x, one less.
-  const Scene scene = spring_cube(1);  // 28 springs, 8 particles
+  const Problem scene = spring_cube(1);  // 28 springs, 8 particles
   for (int degree : {2, 6, 11}) {
     const Work own = work_of(scene.system, scene.start, fixed_degree(degree),
                              std::make_unique<FixedStep>(0.125), {1, true, VelocitySeries::own_series}, 10);
@@ -150,11 +152,11 @@ TEST(Work, IsTheDegreeForEachElementAndStep) {
 
 TEST(Work, CountsAForceThatDoesNotChangeOnceAStep) {
   // A uniform field has one coefficient, whatever the degree; drag has as many as the velocity.
-  const Scene fall = free_fall();
+  const Problem fall = free_fall();
   EXPECT_EQ(work_of(fall.system, fall.start, fixed_degree(9), std::make_unique<FixedStep>(0.125), {}, 10)
                 .element_coefficients,
             10u);
-  Scene dragged = free_fall();
+  Problem dragged = free_fall();
   dragged.system.add<Drag>({{0}}, {{0.5}});
   EXPECT_EQ(
       work_of(dragged.system, dragged.start, fixed_degree(9), std::make_unique<FixedStep>(0.125), {}, 10)
@@ -163,14 +165,14 @@ TEST(Work, CountsAForceThatDoesNotChangeOnceAStep) {
 }
 
 TEST(Work, DoesNotGrowWithAControlThatReadsWhatIsNeededAnyway) {
-  const Scene scene = spring_cube(2);
+  const Problem scene = spring_cube(2);
   const Work fixed =
       work_of(scene.system, scene.start, fixed_degree(12), std::make_unique<JorbaZou>(0.125), {}, 10);
   EXPECT_EQ(fixed.element_coefficients, 28u * 10 * 12);
 }
 
 TEST(Work, IsThatOfTheDrawnDegreesWhereAControlForecastsTheTail) {
-  const Scene scene = spring_cube(3);
+  const Problem scene = spring_cube(3);
   const Work work = work_of(scene.system, scene.start, geometric(3, 9, 0.5),
                             std::make_unique<VarianceTarget>(0.125, 0.125, 1e-3, 1e-3), {}, 100);
   EXPECT_EQ(work.element_coefficients * 8,
@@ -179,7 +181,7 @@ TEST(Work, IsThatOfTheDrawnDegreesWhereAControlForecastsTheTail) {
 }
 
 TEST(Work, IsTheMeanDegreeWithOneDrawForAll) {
-  const Scene scene = spring_cube(4);
+  const Problem scene = spring_cube(4);
   const TruncationLaw law = geometric(3, 9, 0.5);
   const int steps = 2000;
   const Work work = work_of(scene.system, scene.start, law, std::make_unique<FixedStep>(0.0625), {}, steps);
@@ -190,7 +192,7 @@ TEST(Work, IsTheMeanDegreeWithOneDrawForAll) {
 }
 
 TEST(Work, IsTheLargestDegreeOfAllWithADrawForEachParticle) {
-  Scene scene = spring_cube(5);
+  Problem scene = spring_cube(5);
   scene.system.fix(2);
   scene.start.velocity.row(2).setZero();
   const TruncationLaw law = geometric(3, 9, 0.5);

@@ -8,7 +8,11 @@
 #include <cmath>
 #include <limits>
 
-#include "support/scenes_for_tests.hpp"
+#include "jetlag/forces/drag.hpp"
+#include "jetlag/forces/gravity.hpp"
+#include "jetlag/forces/spring.hpp"
+#include "jetlag/forces/uniform_field.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -79,11 +83,11 @@ TEST(AngularMomentum, AddsMassTimesPositionCrossVelocityInSpace) {
 }
 
 TEST(AngularMomentum, IsOneNumberInThePlaneAndNoneOnALine) {
-  const Scene round = planet(0.6);
+  const Problem round = planet(0.6);
   const Eigen::VectorXd l = angular_momentum(round.system, round.start);
   ASSERT_EQ(l.size(), 1);
   EXPECT_NEAR(l[0], 0.8, 2 * eps);  // sqrt(1 - e^2)
-  const Scene line = oscillator();
+  const Problem line = oscillator();
   EXPECT_EQ(angular_momentum(line.system, line.start).size(), 0);
 }
 

@@ -365,21 +365,6 @@ TEST(Expansion, HoldsTheBytesOfFiveHistoriesForASpring) {
 
 // ---- a law of the user ------------------------------------------------------------------------------------
 
-/// Pendulum in its angle: F = -sin(x).
-struct Pendulum {
-  static constexpr const char* name = "pendulum";
-  static constexpr int participants = 1;
-  static constexpr std::array<const char*, 0> parameters{};
-
-  template <class T, int D>
-  static Vector<T, D> force(const Participants<T, D, 1>& p) {
-    using std::sin;
-    Vector<T, D> f;
-    for (int c = 0; c < D; ++c) f[c] = -sin(p.position[0][c]);
-    return f;
-  }
-};
-
 /// A push that depends on the time only: F = cos(t) along every axis.
 struct Shaker {
   static constexpr const char* name = "shaker";
@@ -397,7 +382,7 @@ TEST(Expansion, OfSecondOrderIsTheFirstOrderSystem) {
   // x'' = -sin x against (x, v)' = (v, -sin x): the same recurrence, divided in another order
   using Number = RunningError<double>;
   System<Number> system(1, {1.0});
-  system.add<Pendulum>({{0}}, {});
+  system.add<SineOfAngle>({{0}}, {});
   Expansion<Number> second(system);
   second.start({0.0, Coordinates<Number>::Constant(1, 1, 1.3), Coordinates<Number>::Constant(1, 1, -0.4)});
   second.grow_to(20);

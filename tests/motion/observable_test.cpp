@@ -14,8 +14,8 @@
 #include "jetlag/base/rounded_time.hpp"
 #include "jetlag/motion/expansion.hpp"
 #include "jetlag/series/elementary.hpp"
+#include "support/problems.hpp"
 #include "support/random.hpp"
-#include "support/scenes_for_tests.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -29,7 +29,7 @@ using ::testing::ThrowsMessage;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
 /// The motion of a scene to degree N, from its start, for a time h.
-Piece piece_of(const Scene& scene, int degree, double h) {
+Piece piece_of(const Problem& scene, int degree, double h) {
   Expansion<double> series(scene.system);
   series.start(scene.start);
   series.grow_to(degree + 1);
@@ -81,7 +81,7 @@ TEST(Observable, IsAFunctionOfTheState) {
 }
 
 TEST(Observable, HasTheSeriesOfTheMotionWhereItIsLinear) {
-  const Scene scene = spring_cube(1);
+  const Problem scene = spring_cube(1);
   const Piece piece = piece_of(scene, 8, 0.5);
   const auto series = ObservableSeries([](const auto& t, const auto& x, const auto& v) {
                         return 2.0 * x(3, 1) - v(5, 0) + t;

@@ -11,9 +11,12 @@
 #include <numbers>
 #include <vector>
 
+#include "jetlag/forces/drag.hpp"
+#include "jetlag/forces/spring.hpp"
+#include "jetlag/forces/uniform_field.hpp"
 #include "jetlag/motion/expansion.hpp"
+#include "support/problems.hpp"
 #include "support/random.hpp"
-#include "support/scenes_for_tests.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -33,12 +36,13 @@ struct Damper {
 
 /// Particles in a box, each with springs and dampers to the next few; every seventh is fixed. All laws of the library
 /// and one that depends on time act.
-Scene network(int particles, std::uint64_t seed) {
+Problem network(int particles, std::uint64_t seed) {
   Uniform random(seed);
   std::vector<double> mass(particles);
   for (double& m : mass) m = random(0.5, 2.0);
   System<double> system(3, mass);
-  Scene scene{std::move(system), {0.5, Coordinates<double>(particles, 3), Coordinates<double>(particles, 3)}};
+  Problem scene{std::move(system),
+                {0.5, Coordinates<double>(particles, 3), Coordinates<double>(particles, 3)}};
   std::vector<std::array<int, 1>> each;
   std::vector<std::array<int, 2>> pairs;
   std::vector<std::array<double, 2>> springs;
@@ -64,7 +68,7 @@ Scene network(int particles, std::uint64_t seed) {
 
 /// A group of a network beside the whole of it.
 struct Pair {
-  Scene scene;
+  Problem scene;
   std::shared_ptr<const Neighbourhoods> graph;
   Expansion<double> whole;
   std::vector<int> places;

@@ -14,7 +14,8 @@
 #include "jetlag/control/jorba_zou.hpp"
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/schedule/lockstep.hpp"
-#include "support/scenes_for_tests.hpp"
+#include "jetlag/truncation/draws.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -30,7 +31,7 @@ struct Walk {
   std::vector<Piece> pieces;
   std::vector<State<double>> ends;
 };
-Walk walk(const Scene& scene, VelocitySeries velocity, bool shared_draw) {
+Walk walk(const Problem& scene, VelocitySeries velocity, bool shared_draw) {
   RandomTaylor::Options options;
   options.shared_draw = shared_draw;
   options.velocity = velocity;
@@ -61,7 +62,7 @@ void for_each_way(F f) {
 }
 
 TEST(Piece, EndsInTheState) {
-  const Scene scene = spring_cube(1);
+  const Problem scene = spring_cube(1);
   for_each_way([&](VelocitySeries velocity, bool shared) {
     const Walk w = walk(scene, velocity, shared);
     for (std::size_t i = 0; i < w.pieces.size(); ++i) {
@@ -78,7 +79,7 @@ TEST(Piece, EndsInTheState) {
 }
 
 TEST(Piece, BeginsInTheStateBefore) {
-  const Scene scene = spring_cube(2);
+  const Problem scene = spring_cube(2);
   for_each_way([&](VelocitySeries velocity, bool shared) {
     const Walk w = walk(scene, velocity, shared);
     for (std::size_t i = 1; i < w.pieces.size(); ++i) {
@@ -90,7 +91,7 @@ TEST(Piece, BeginsInTheStateBefore) {
 }
 
 TEST(Piece, IsTheSameMotionAboutAnotherOrigin) {
-  const Scene scene = spring_cube(3);
+  const Problem scene = spring_cube(3);
   for_each_way([&](VelocitySeries velocity, bool shared) {
     for (const Piece& piece : walk(scene, velocity, shared).pieces) {
       const double origin = piece.begin + 0.0625;
@@ -108,7 +109,7 @@ TEST(Piece, IsTheSameMotionAboutAnotherOrigin) {
 }
 
 TEST(Piece, HasTheDerivativeAsVelocityWhereThatWasChosen) {
-  const Scene scene = spring_cube(4);
+  const Problem scene = spring_cube(4);
   for (bool shared : {true, false})
     for (const Piece& piece : walk(scene, VelocitySeries::derivative, shared).pieces) {
       ASSERT_EQ(piece.velocity.size() + 1, piece.position.size());
@@ -119,7 +120,7 @@ TEST(Piece, HasTheDerivativeAsVelocityWhereThatWasChosen) {
 
 TEST(Piece, StopsAtTheDegreeOfEachParticle) {
   // With draws for each particle some stop early: all their later coefficients are zero, and no others are.
-  const Scene scene = spring_cube(5);
+  const Problem scene = spring_cube(5);
   int early = 0;
   auto pieces = walk(scene, VelocitySeries::own_series, false).pieces;
   pieces.erase(pieces.begin());  // its springs are at rest length, so that coefficient 2 is zero
@@ -137,7 +138,7 @@ TEST(Piece, StopsAtTheDegreeOfEachParticle) {
 }
 
 TEST(Piece, GivesThePolynomialsOfAParticle) {
-  const Scene scene = spring_cube(6);
+  const Problem scene = spring_cube(6);
   const Piece piece = walk(scene, VelocitySeries::own_series, true).pieces.back();
   const auto rows = polynomials(piece, 5);
   ASSERT_EQ(rows.size(), 3u);
@@ -159,7 +160,7 @@ TEST(Piece, IsDenseOutputOfFullAccuracy) {
   // The planet at random times of every step, against Kepler's equation. After t the phase error is 3/2 t
   // |dE/E|, and the energy stays within 1e-14 over one period.
   const double e = 0.5;
-  const Scene scene = planet(e);
+  const Problem scene = planet(e);
   Lockstep lockstep(taylor(scene.system, 20, std::make_unique<JorbaZou>()));
   int times = 0;
   RunOptions run;

@@ -5,10 +5,11 @@
 #include <array>
 #include <vector>
 
+#include "jetlag/forces/gravity.hpp"
 #include "jetlag/motion/expansion.hpp"
 #include "jetlag/motion/first_order.hpp"
 #include "support/close.hpp"
-#include "support/scenes_for_tests.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {

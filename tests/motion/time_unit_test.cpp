@@ -11,8 +11,9 @@
 #include "jetlag/control/halve_double.hpp"
 #include "jetlag/control/jorba_zou.hpp"
 #include "jetlag/control/variance_target.hpp"
+#include "jetlag/forces/drag.hpp"
 #include "jetlag/integrators/taylor.hpp"
-#include "support/scenes_for_tests.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -20,8 +21,8 @@ namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
 /// Springs, friction and a force that depends on the time.
-Scene shaken_cube() {
-  Scene scene = spring_cube(1);
+Problem shaken_cube() {
+  Problem scene = spring_cube(1);
   for (int i = 0; i < 8; ++i) {
     scene.system.add<Drag>({{i}}, {{0.25}});
     scene.system.add<Shaker>({{i}}, {{3.0}});
@@ -31,7 +32,7 @@ Scene shaken_cube() {
 }
 
 TEST(TimeUnit, ScalesCoefficientsByItsPowersAndKeepsTheirBits) {
-  const Scene scene = shaken_cube();
+  const Problem scene = shaken_cube();
   Expansion<double> seconds(scene.system), other(scene.system);
   seconds.start(scene.start);
   seconds.grow_to(16);
@@ -50,7 +51,7 @@ TEST(TimeUnit, ScalesCoefficientsByItsPowersAndKeepsTheirBits) {
 }
 
 TEST(TimeUnit, IsForgottenWhenASeriesStartsAnew) {
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   Expansion<double> series(scene.system);
   series.start(scene.start, 8.0);
   series.start(scene.start);
@@ -60,7 +61,7 @@ TEST(TimeUnit, IsForgottenWhenASeriesStartsAnew) {
 }
 
 TEST(TimeUnit, IsPositiveAndFinite) {
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   Expansion<double> series(scene.system);
   for (double bad : {0.0, -1.0, std::numeric_limits<double>::infinity(), std::nan("")})
     EXPECT_THROW(series.start(scene.start, bad), std::invalid_argument) << bad;
@@ -72,7 +73,7 @@ struct Step {
   Piece piece;
 };
 Step step_at(double w, VelocitySeries velocity) {
-  const Scene scene = circular_oscillator(w);
+  const Problem scene = circular_oscillator(w);
   RandomTaylor integrator(scene.system, fixed_degree(24), std::make_unique<FixedStep>(1 / w),
                           {1, true, velocity});
   Step step{scene.start, {}};
@@ -104,7 +105,7 @@ TEST(TimeUnit, OfAPieceIsThatOfItsPolynomials) {
 
 /// h w of the first step of a control on a circle at rate w; its coefficients are beyond doubles at both ends.
 double phase_of_first_step(double w, const TruncationLaw& law, std::unique_ptr<Control> control) {
-  Scene scene = circular_oscillator(w);
+  Problem scene = circular_oscillator(w);
   RandomTaylor integrator(scene.system, law, std::move(control));
   Report report;
   return w * integrator.step(scene.start, 1e300, report);
@@ -127,7 +128,7 @@ TEST(TimeUnit, DoesNotChangeTheStepOfAnyControl) {
 TEST(TimeUnit, IsLeftAloneWhereASeriesEndsOrTheForceIsSingular) {
   // Free fall and rest look like underflow, coincident particles like overflow.
   for (double scale : {1e-3, 1.0, 1e3}) {
-    Scene fall = free_fall();
+    Problem fall = free_fall();
     fall.start.position *= scale;
     RandomTaylor integrator(fall.system, fixed_degree(12), std::make_unique<JorbaZou>());
     Report report;
@@ -135,7 +136,7 @@ TEST(TimeUnit, IsLeftAloneWhereASeriesEndsOrTheForceIsSingular) {
     EXPECT_EQ(integrator.piece().unit, 1.0);
     EXPECT_EQ(integrator.work().element_coefficients, 1u);
   }
-  Scene coincident = falling_together(0.0);
+  Problem coincident = falling_together(0.0);
   RandomTaylor integrator(coincident.system, fixed_degree(12), std::make_unique<JorbaZou>());
   Report report;
   EXPECT_EQ(integrator.step(coincident.start, 2.0, report), 0.0);

@@ -16,8 +16,8 @@
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/schedule/lockstep.hpp"
 #include "jetlag/schedule/record.hpp"
+#include "support/problems.hpp"
 #include "support/random.hpp"
-#include "support/scenes_for_tests.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -32,17 +32,17 @@ double distance(const Coordinates<double>& a, const Coordinates<double>& b) {
   return (a - b).cwiseAbs().maxCoeff();
 }
 
-Lockstep in_steps(const Scene& scene, double step, int degree = 20) {
+Lockstep in_steps(const Problem& scene, double step, int degree = 20) {
   return Lockstep(taylor(scene.system, degree, std::make_unique<FixedStep>(step)));
 }
 
-Lockstep at_random(const Scene& scene, double step) {
+Lockstep at_random(const Problem& scene, double step) {
   return Lockstep(
       std::make_unique<RandomTaylor>(scene.system, geometric(3, 8, 0.5), std::make_unique<FixedStep>(step)));
 }
 
 /// The motion of a scene until a time.
-Trajectory motion(const Scene& scene, Lockstep schedule, double until) {
+Trajectory motion(const Problem& scene, Lockstep schedule, double until) {
   Trajectory trajectory;
   State<double> state = scene.start;
   EXPECT_EQ(record(schedule, state, until, trajectory).outcome, Outcome::success);
@@ -67,7 +67,7 @@ TEST(Trajectory, CountsInTheUnitOfItsPieces) {
 TEST(Trajectory, IsTheClosedFormOfAnOscillator) {
   // 34 steps of 0.3 at degree 20 leave out 0.3^21/21! < 1e-30. Each rounds its two Horner sums by less than
   // eps/2 (1 + 2 (0.3 + 0.3^2 + ...)) < eps each and turns what it found; a time is off by at most ulp(10) = 8 eps.
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   const Trajectory trajectory = motion(scene, in_steps(scene, 0.3), 10.0);
   Uniform random(1);
   for (int i = 0; i < 1000; ++i) {
@@ -82,7 +82,7 @@ TEST(Trajectory, IsTheClosedFormOfAnOscillator) {
 TEST(Trajectory, EqualsAStepToTheSameTime) {
   // Steps of 1/8 leave nothing to round in the clock: a run that ends at t takes the same last polynomial there, with
   // the same draw, and the same bits follow.
-  const Scene scene = spring_cube(1);
+  const Problem scene = spring_cube(1);
   Uniform random(2);
   for (const bool drawn : {false, true}) {
     const auto schedule = [&] { return drawn ? at_random(scene, 0.125) : in_steps(scene, 0.125, 6); };
@@ -102,7 +102,7 @@ TEST(Trajectory, EqualsAStepToTheSameTime) {
 TEST(Trajectory, EqualsAStepToTheSameTimeUpToItsClock) {
   // Steps of 0.1 from t = 1000: `begin` and t are rounded to ulp(1000) = 1.1e-13. Speeds and accelerations are below 1,
   // a coordinate below 2 is summed from 7 terms.
-  Scene scene = spring_cube(3);
+  Problem scene = spring_cube(3);
   scene.start.time = 1000.0;
   const Trajectory trajectory = motion(scene, in_steps(scene, 0.1, 6), 1002.0);
   Uniform random(3);
@@ -119,7 +119,7 @@ TEST(Trajectory, EqualsAStepToTheSameTimeUpToItsClock) {
 TEST(Trajectory, IsContinuous) {
   // As above, at every border: the end of a piece and the beginning of the next, for speeds below 1.
   for (const double begin : {0.0, 1000.0}) {
-    Scene scene = spring_cube(4);
+    Problem scene = spring_cube(4);
     scene.start.time = begin;
     const double clock = begin == 0.0 ? 2 * eps : 512 * eps;
     std::vector<Trajectory> all;
@@ -154,7 +154,7 @@ TEST(Trajectory, TakesTheLaterPieceAtABorder) {
 }
 
 TEST(Trajectory, ShowsOneParticle) {
-  const Scene scene = spring_cube(5);
+  const Problem scene = spring_cube(5);
   const Trajectory trajectory = motion(scene, at_random(scene, 0.125), 1.0);
   for (const double t : {0.0, 0.3, 0.5, 0.99, 1.0})
     for (int i = 0; i < 8; ++i) {
@@ -167,7 +167,7 @@ TEST(Trajectory, ShowsOneParticle) {
 }
 
 TEST(Trajectory, GrowsFromRunToRun) {
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   Trajectory trajectory;
   State<double> state = scene.start;
   int steps = 0;
@@ -212,7 +212,7 @@ TEST(Trajectory, RefusesPiecesThatDoNotFit) {
 
 TEST(Trajectory, KnowsItsMemory) {
   // 8 particles, 3 components, 7 coefficients of position and of velocity; beside them vectors and their growth.
-  const Scene scene = spring_cube(6);
+  const Problem scene = spring_cube(6);
   const Trajectory trajectory = motion(scene, in_steps(scene, 0.125, 6), 4.0);
   const std::size_t numbers = 32 * 2 * 7 * 8 * 3 * sizeof(double);
   EXPECT_GE(trajectory.bytes(), numbers);

@@ -16,9 +16,7 @@ namespace {
 // ---- Henon and Heiles -------------------------------------------------------------------------------------
 
 ReferenceProblem henon_heiles(double p1, double p2, double until) {
-  System<> system(2, {1.0});
-  system.add<HenonHeiles>({{0}}, {{}});
-  return of_system("henon-heiles", system, {0, 0, p1, p2}, until);
+  return of_problem("henon-heiles", problems::henon_heiles({0, 0}, {p1, p2}), until);
 }
 
 TEST(HenonHeiles,

@@ -13,11 +13,6 @@ namespace {
 
 // ---- Burrau's problem: masses 3, 4, 5 at the corners of a triangle, at rest. Source: Szebehely, Peters 1967. --------
 
-struct Burrau {
-  System<> system = attracting(2, {3, 4, 5});
-  State<> state{0.0, Coordinates<>{{1.0, 3.0}, {-2.0, -1.0}, {1.0, -1.0}}, Coordinates<>::Zero(3, 2)};
-};
-
 /// x and y of the body of mass 3.
 struct BurrauPoint {
   double time, x, y;
@@ -28,14 +23,14 @@ constexpr BurrauPoint of_mass_3[] = {{10, 0.77848041013808549310909, 0.141392300
 
 /// Where mass 3 is missed at 10, 20 and 40.
 std::array<double, 3> burrau_errors(const RandomTaylor::Options& options) {
-  Burrau burrau;
+  Problem burrau = three_bodies();
   Lockstep run(
       std::make_unique<RandomTaylor>(burrau.system, fixed_degree(20), std::make_unique<JorbaZou>(), options));
   std::array<double, 3> errors{};
   for (int i = 0; i < 3; ++i) {
-    EXPECT_EQ(run.run(burrau.state, of_mass_3[i].time, {}).outcome, Outcome::success);
-    errors[i] = std::hypot(burrau.state.position(0, 0) - of_mass_3[i].x,
-                           burrau.state.position(0, 1) - of_mass_3[i].y);
+    EXPECT_EQ(run.run(burrau.start, of_mass_3[i].time, {}).outcome, Outcome::success);
+    errors[i] = std::hypot(burrau.start.position(0, 0) - of_mass_3[i].x,
+                           burrau.start.position(0, 1) - of_mass_3[i].y);
   }
   return errors;
 }
@@ -69,10 +64,10 @@ TEST(Burrau, IsFollowedFurtherWithACompensatedState) {
 
 TEST(Burrau, HasItsClosestApproach) {  // of masses 4 and 5, at t = 15.8299...; to the digits of the run, 1e-8
   constexpr double time = 15.82992027158090, distance = 4.138248362587010e-4;
-  Burrau burrau;
+  Problem burrau = three_bodies();
   const double energy = -769.0 / 60;
   EnergyMeter meter(burrau.system);
-  EXPECT_NEAR(meter(burrau.state).total(), energy, 8 * eps);
+  EXPECT_NEAR(meter(burrau.start).total(), energy, 8 * eps);
   double closest = 1, found = 0;
   RunOptions options;
   options.after_step = [&](const StepView& view) {
@@ -89,13 +84,13 @@ TEST(Burrau, HasItsClosestApproach) {  // of masses 4 and 5, at t = 15.8299...; 
     return true;
   };
   Lockstep run(taylor(burrau.system, 20, std::make_unique<JorbaZou>()));
-  ASSERT_EQ(run.run(burrau.state, 20, options).outcome, Outcome::success);
+  ASSERT_EQ(run.run(burrau.start, 20, options).outcome, Outcome::success);
   EXPECT_EQ(found, time);
   // The time is off by the error of the motion, 1e-9, over the speed there, sqrt(2 9 / 4e-4) = 200; the distance is
   // stationary, and known as well as the elements of the orbit: to 1e-8 of itself.
   EXPECT_NEAR(closest, distance, 1e-8 * distance);  // measured: 6e-14
   // There a step rounds positions of size 1 by eps / 2, and 20 / r by 20 / r^2 times that, 1.3e-8; some 20 steps.
-  EXPECT_NEAR(meter(burrau.state).total(), energy, 3 * std::sqrt(20.0) * 10 / (distance * distance) * eps);
+  EXPECT_NEAR(meter(burrau.start).total(), energy, 3 * std::sqrt(20.0) * 10 / (distance * distance) * eps);
 }
 
 // ---- the others -------------------------------------------------------------------------------------------
@@ -106,13 +101,8 @@ TEST(Pleiades, AreFollowedToElevenDigits) {  // bracket of the test set; measure
   std::vector<long double> known;
   for (const std::string& value : reference_values().at("pleiades t=3")) known.push_back(std::stold(value));
   EXPECT_LT(error(problem->solve(20, {}).end, known), 1e-11);
-  const System<> system = attracting(2, {1, 2, 3, 4, 5, 6, 7});
-  State<> start{0.0, Coordinates<>::Zero(7, 2), Coordinates<>::Zero(7, 2)};
-  for (int i = 0; i < 14; ++i) {
-    start.position(i / 2, i % 2) = problem->start[i];
-    start.velocity(i / 2, i % 2) = problem->start[14 + i];
-  }
-  EXPECT_NEAR(EnergyMeter(system)(start).total(), -45.952469497847125746,
+  const Problem bodies = pleiades();
+  EXPECT_NEAR(EnergyMeter(bodies.system)(bodies.start).total(), -45.952469497847125746,
               45 * 28 * eps);  // 28 terms of up to 45
 }
 
@@ -130,41 +120,22 @@ TEST(Arenstorf, ReturnsToItsStart) {
 }
 
 TEST(FigureEight, IsFollowedToTen) {  // body 1 of three; growth 50, measured 3e-15 to 1e-14
-  const double x = 0.97000436, y = -0.24308753, u = -0.93240737, v = -0.86473146;
-  const ReferenceProblem problem = of_system("figure-eight", attracting(2, {1, 1, 1}),
-                                             {x, y, -x, -y, 0, 0, -u / 2, -v / 2, -u / 2, -v / 2, u, v}, 10);
+  const Problem bodies = figure_eight();
+  const ReferenceProblem problem = of_problem("figure-eight", bodies, 10);
   const ReferenceSolution solution = problem.solve(20, {});
   EXPECT_LT(error(solution.end, {-1.080925630666323024562362L, -0.0074896189951733084942612L}),
             rounding_tolerance(problem, solution));
-  State<> start{0.0, Coordinates<>{{x, y}, {-x, -y}, {0, 0}},
-                Coordinates<>{{-u / 2, -v / 2}, {-u / 2, -v / 2}, {u, v}}};
-  EXPECT_NEAR(EnergyMeter(attracting(2, {1, 1, 1}))(start).total(), -1.287141991766325530038793, 12 * eps);
+  EXPECT_NEAR(EnergyMeter(bodies.system)(bodies.start).total(), -1.287141991766325530038793, 12 * eps);
 }
-
-/// F = -x / r^3 - delta x / r^5,   E = -1 / r - delta / (3 r^3).
-struct PerturbedKepler {
-  static constexpr const char* name = "perturbed_kepler";
-  static constexpr int participants = 1;
-  static constexpr std::array parameters{"delta"};
-
-  template <class T, int D>
-  static Vector<T, D> force(const Participants<T, D, 1>& p, const T& delta) {
-    using std::pow;
-    const T rr = p.position[0].squaredNorm();
-    return T(-pow(rr, -1.5) * (1.0 + delta / rr)) * p.position[0];
-  }
-};
 
 TEST(PerturbedKepler,
      IsFollowedToTwoHundred) {  // e = 0.6, delta = 0.015; growth 1e3 and 2e3 in 78 and 1580 steps
-  System<> system(2, {1.0});
-  system.add<PerturbedKepler>({{0}}, {{0.015}});
   const std::vector<long double> at_10{0.4180305132336271855207866705L, -0.007651242596036543522998617167L,
                                        -0.2857929917497065436678184L, 1.918966788588949881833815293L};
   const std::vector<long double> at_200{0.8872993273064608662824546L, 0.9429820066197448484027174783L,
                                         -0.5226532296604602686476349L, 0.3461598575318251994941808957L};
   for (const auto& [until, known, allowed] : {std::tuple(10, at_10, 1e-11), {200, at_200, 1e-10}}) {
-    const ReferenceProblem problem = of_system("perturbed kepler", system, {0.4, 0, 0, 2}, until);
+    const ReferenceProblem problem = of_problem("perturbed kepler", perturbed_planet(), until);
     const ReferenceSolution solution = problem.solve(20, {});
     const double tolerance = rounding_tolerance(problem, solution);
     EXPECT_LT(tolerance, allowed) << until;

@@ -10,19 +10,11 @@
 #include <numbers>
 #include <numeric>
 
-#include "jetlag/forces/spring.hpp"
 #include "jetlag/model/energy.hpp"
 #include "reference/conditioning.hpp"
 
 namespace jetlag::testing {
 namespace {
-
-System<> spring_to_the_origin() {
-  System<> system(2, {1.0, 1.0});
-  system.fix(0);
-  system.add<Spring>({{0, 1}}, {{1.0, 1.0}});
-  return system;
-}
 
 struct Passage {
   double delta, until, known[4];  // x, y, v_x, v_y
@@ -45,10 +37,9 @@ constexpr Passage passages[] = {{1e-1,
                                   -1.1701190171960514517404821, 0.0001900353708131660595159538}}};
 
 TEST(CollapsedSpring, IsFollowedThroughItsPassages) {
-  const System<> system = spring_to_the_origin();
   for (const Passage& p : passages) {
     SCOPED_TRACE(::testing::Message() << "delta = " << p.delta << ", t = " << p.until);
-    const ReferenceProblem problem = of_system("collapsed", system, {1, 0, -1.2, p.delta}, p.until);
+    const ReferenceProblem problem = of_problem("collapsed", collapsing_spring(p.delta), p.until);
     const ReferenceSolution solution = problem.solve(20, {});
     ASSERT_EQ(solution.report.outcome, Outcome::success) << solution.report.message;
     // Measured: 2e-16, 3e-15, 1.5e-13, 1.3e-15. A disturbance of 1e-11 is small even against delta = 1e-6.
@@ -59,11 +50,11 @@ TEST(CollapsedSpring, IsFollowedThroughItsPassages) {
 }
 
 TEST(CollapsedSpring, KeepsItsEnergyAndAngularMomentum) {
-  const System<> system = spring_to_the_origin();
-  EnergyMeter meter(system);
   for (const Passage& p : passages) {
     SCOPED_TRACE(::testing::Message() << "delta = " << p.delta << ", t = " << p.until);
-    State<> state{0.0, Coordinates<>{{0, 0}, {1, 0}}, Coordinates<>{{0, 0}, {-1.2, p.delta}}};
+    const Problem spring = collapsing_spring(p.delta);
+    State<> state = spring.start;
+    EnergyMeter meter(spring.system);
     const double energy = meter(state).total();
     double worst = 0, shortest = 1;
     RunOptions options;
@@ -72,11 +63,12 @@ TEST(CollapsedSpring, KeepsItsEnergyAndAngularMomentum) {
       shortest = std::min(shortest, view.state.time - view.begin);
       return true;
     };
-    Lockstep run(taylor(system, 20, std::make_unique<JorbaZou>()));
+    Lockstep run(taylor(spring.system, 20, std::make_unique<JorbaZou>()));
     ASSERT_EQ(run.run(state, p.until, options).outcome, Outcome::success);
     EXPECT_LT(worst, 1e-12);  // measured: 8e-16 to 6e-15
     // x v_y - y v_x: two products of size 1 at most, eps for each of n steps.
-    EXPECT_NEAR(angular_momentum(system, state)(0), p.delta, eps * static_cast<double>(run.work().steps));
+    EXPECT_NEAR(angular_momentum(spring.system, state)(0), p.delta,
+                eps * static_cast<double>(run.work().steps));
     // The series about the passage converge within 1.508 delta / 0.663 s; a step is a tenth to a whole of that.
     EXPECT_LT(shortest, 1.508 * p.delta / 0.663);
   }

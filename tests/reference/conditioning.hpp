@@ -7,9 +7,15 @@
 #include <limits>
 #include <vector>
 
+#include "problems/equations.hpp"
+#include "problems/particles.hpp"
+#include "problems/planets.hpp"
+#include "problems/reference_values.hpp"
 #include "studies/reference_problems.hpp"
 
 namespace jetlag::testing {
+
+using namespace problems;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 

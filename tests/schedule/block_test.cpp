@@ -44,7 +44,7 @@ bool same_bits(const State<double>& a, const State<double>& b) {
 TEST(BlockSteps, OfEqualLengthAreLockstep) {
   // The tolerance asks for nothing, all take max_step, 3 is no whole number of them: as the methods are the same, only
   // rounding differs, 1e-16 a step and less for each unit that the motion amplifies it by.
-  const Scene scene = spring_cube(3);
+  const Problem scene = spring_cube(3);
   for (const auto velocity : {VelocitySeries::own_series, VelocitySeries::derivative})
     for (int degree : {4, 9}) {
       RandomTaylor::Options one;
@@ -65,7 +65,7 @@ TEST(BlockSteps, OfEqualLengthAreLockstep) {
 
 TEST(BlockSteps, ChooseLevelsThatNestAndAreAtMostOneCoarserThanANeighbours) {
   constexpr int moving = 32;
-  const Scene scene = stiff_spot_in_a_chain(moving, 1e4);
+  const Problem scene = stiff_spot_in_a_chain(moving, 1e4);
   for (int grading : {1, 2}) {
     State<double> state = scene.start;
     BlockSteps::Options options = steps(1e-9);
@@ -95,7 +95,7 @@ TEST(BlockSteps, ChooseLevelsThatNestAndAreAtMostOneCoarserThanANeighbours) {
 
 TEST(BlockSteps, EndAndShowFramesAtTheGivenTimes) {
   // The state at a frame is that of a run that ends there.
-  const Scene scene = stiff_spot_in_a_chain(16, 1e3);
+  const Problem scene = stiff_spot_in_a_chain(16, 1e3);
   RunOptions options;
   options.frame_times = {0.1, 1.0 / 3.0, 0.7, 0.9};
   std::vector<State<double>> frames;
@@ -117,7 +117,7 @@ TEST(BlockSteps, EndAndShowFramesAtTheGivenTimes) {
 TEST(BlockSteps, CountTicksExactlyAtLargeTimes) {
   // At 1e9 s an ulp is 1.2e-7 s, and a time kept as a double would be off by as much at each step: by 1e-8 s after a
   // few, and the motion with it. The law does not depend on time: the run is the one from 0. `until` is exact there.
-  Scene scene = stiff_spot_in_a_chain(16, 1e3);
+  Problem scene = stiff_spot_in_a_chain(16, 1e3);
   State<double> near = scene.start, far = scene.start;
   far.time = 1e9;
   BlockSteps(scene.system, 8, steps(1e-9, 0.01)).run(near, 2.0, {});
@@ -128,7 +128,7 @@ TEST(BlockSteps, CountTicksExactlyAtLargeTimes) {
 }
 
 TEST(BlockSteps, GiveTheSameBitsHoweverARunIsCut) {
-  const Scene scene = stiff_spot_in_a_chain(16, 1e3);
+  const Problem scene = stiff_spot_in_a_chain(16, 1e3);
   const auto schedule = [&] { return BlockSteps(scene.system, 8, steps(1e-9, 0.5)); };
   State<double> whole = scene.start;
   schedule().run(whole, 2.0, {});
@@ -151,7 +151,7 @@ TEST(BlockSteps, GiveTheSameBitsHoweverARunIsCut) {
 }
 
 TEST(BlockSteps, BeginAnewFromAStateThatIsNotTheirs) {
-  const Scene scene = stiff_spot_in_a_chain(16, 1e3);
+  const Problem scene = stiff_spot_in_a_chain(16, 1e3);
   State<double> state = scene.start;
   BlockSteps used(scene.system, 8, steps(1e-9, 0.5)), fresh(scene.system, 8, steps(1e-9, 0.5));
   used.run(state, 0.3, {});
@@ -163,8 +163,8 @@ TEST(BlockSteps, BeginAnewFromAStateThatIsNotTheirs) {
 }
 
 TEST(BlockSteps, GiveTheSameBitsForAnyNumberOfThreadsAndOrderOfParticles) {
-  const Scene scene = stiff_spot_in_a_chain(40, 1e4);
-  const auto end = [](const Scene& scene, int threads) {
+  const Problem scene = stiff_spot_in_a_chain(40, 1e4);
+  const auto end = [](const Problem& scene, int threads) {
     BlockSteps::Options options = steps(1e-8);
     options.threads = threads;
     State<double> state = scene.start;
@@ -188,7 +188,7 @@ TEST(BlockSteps, GiveTheSameBitsForAnyNumberOfThreadsAndOrderOfParticles) {
 
 TEST(BlockSteps, RecordAMotionWithoutJumps) {
   // Between updates the motion is the polynomials re-expanded; each piece begins where the one before ends.
-  const Scene scene = stiff_spot_in_a_chain(16, 1e3);
+  const Problem scene = stiff_spot_in_a_chain(16, 1e3);
   State<double> state = scene.start;
   BlockSteps schedule(scene.system, 10, steps(1e-11));
   Trajectory motion;
@@ -202,7 +202,7 @@ TEST(BlockSteps, RecordAMotionWithoutJumps) {
 
 TEST(BlockSteps, DrawTheirDegreesLikeLockstep) {
   // Equal steps and one draw for all: the same numbers as RandomTaylor draws, so that the same terms count.
-  const Scene scene = spring_cube(5);
+  const Problem scene = spring_cube(5);
   State<double> lockstep = scene.start, block = scene.start;
   Lockstep(
       std::make_unique<RandomTaylor>(scene.system, geometric(3, 8, 0.5), std::make_unique<FixedStep>(0.05)))
@@ -223,7 +223,7 @@ TEST(BlockSteps, MoveNothingWhereNothingMoves) {
 }
 
 TEST(BlockSteps, FollowAFreeFallInOneStep) {
-  const Scene scene = free_fall();
+  const Problem scene = free_fall();
   State<double> state = scene.start;
   BlockSteps schedule(scene.system, 4, {});
   ASSERT_EQ(schedule.run(state, 2.0, {}).outcome, Outcome::success);
@@ -232,7 +232,7 @@ TEST(BlockSteps, FollowAFreeFallInOneStep) {
 }
 
 TEST(BlockSteps, SayWhatIsWrong) {
-  const Scene scene = spring_cube(3);
+  const Problem scene = spring_cube(3);
   BlockSteps::Options options = steps(0.0);
   EXPECT_THAT([&] { BlockSteps(scene.system, 4, options); },
               ThrowsMessage<std::invalid_argument>(HasSubstr("tolerance")));

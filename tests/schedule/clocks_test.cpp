@@ -13,11 +13,11 @@
 
 #include "jetlag/control/jorba_zou.hpp"
 #include "jetlag/control/last_two.hpp"
+#include "jetlag/forces/spring.hpp"
 #include "jetlag/schedule/asynchronous.hpp"
 #include "jetlag/schedule/block.hpp"
 #include "jetlag/schedule/lockstep.hpp"
 #include "schedule/networks.hpp"
-#include "studies/heavy_and_light.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -25,7 +25,7 @@ namespace {
 using ::testing::HasSubstr;
 
 /// To rounding: another step rule, at degree 24.
-State<double> truth(const Scene& scene, double until) {
+State<double> truth(const Problem& scene, double until) {
   State<double> state = scene.start;
   Lockstep(taylor(scene.system, 24, std::make_unique<JorbaZou>())).run(state, until, {});
   return state;
@@ -71,7 +71,7 @@ TEST_P(Schedules, ConvergeAtTheirOrder) {
   // h^N, as tolerance^(N/(N-1)). Steps on powers of two follow in stairs of 2^-(N-1) in the tolerance: the line of
   // least squares goes through as many of them as there are between coarse steps and rounding. Measured: within 0.1,
   // of degree 16 within 0.2, where few steps are small enough to be called so.
-  const Scene scene = stiff_spot_in_a_chain(12, 50);  // frequencies from 0.2 to 14
+  const Problem scene = stiff_spot_in_a_chain(12, 50);  // frequencies from 0.2 to 14
   const double until = 2.0;
   const State<double> end = truth(scene, until);
   for (int degree : {4, 8, 12, 16}) {
@@ -93,7 +93,7 @@ TEST_P(Schedules, EndWhereTwoMassesFallIntoEachOther) {
   // The step shrinks with the time that is left, by a constant factor, until it no longer changes the time: a hundred
   // steps or so.
   for (double tolerance : {1e-6, 1e-12}) {
-    const Scene scene = falling_together(1.0);
+    const Problem scene = falling_together(1.0);
     State<double> state = scene.start;
     RunOptions options;
     options.max_steps = 10000;
@@ -107,7 +107,7 @@ TEST_P(Schedules, EndWhereTwoMassesFallIntoEachOther) {
 }
 
 TEST_P(Clocks, GoOnWithTheSameBits) {
-  const Scene scene = stiff_spot_in_a_chain(16, 1e3);
+  const Problem scene = stiff_spot_in_a_chain(16, 1e3);
   State<double> whole = scene.start, cut = scene.start;
   GetParam().make(scene.system, 8, 1e-9)->run(whole, 1.0, {});
   const auto schedule = GetParam().make(scene.system, 8, 1e-9);
@@ -124,12 +124,12 @@ TEST_P(Clocks, GoOnWithTheSameBits) {
 
 /// A mass that falls through the fixed end of its spring at a distance of 1.5 offset (methods 13, H5), and a chain of
 /// 20 that hangs on it by weak springs, away from it.
-Scene collapsing(double offset) {
+Problem collapsing(double offset) {
   constexpr int chain = 20;
   System<double> system(2, std::vector<double>(chain + 2, 1.0));
   system.fix(0);
-  Scene scene{std::move(system),
-              {0.0, Coordinates<double>::Zero(chain + 2, 2), Coordinates<double>::Zero(chain + 2, 2)}};
+  Problem scene{std::move(system),
+                {0.0, Coordinates<double>::Zero(chain + 2, 2), Coordinates<double>::Zero(chain + 2, 2)}};
   scene.system.add<Spring>({{0, 1}}, {{1.0, 1.0}});
   scene.start.position.row(1) << 1.0, 0.0;
   scene.start.velocity.row(1) << -1.2, offset;
@@ -138,13 +138,13 @@ Scene collapsing(double offset) {
     pairs.push_back({i - 1, i});
     scene.start.position.row(i) << 1.0 + 5.0 * (i - 1), 0.0;
   }
-  scene.system.add<Bond>(pairs, {{1e-3}});
+  scene.system.add<LinearSpring>(pairs, {{1e-3}});
   return scene;
 }
 
 TEST_P(Clocks, AreFastOnlyWhereASpringCollapses) {
   for (double offset : {1e-1, 1e-3, 1e-6, 0.0}) {
-    const Scene scene = collapsing(offset);
+    const Problem scene = collapsing(offset);
     State<double> state = scene.start;
     const auto schedule = GetParam().make(scene.system, 12, 1e-9);
     ASSERT_EQ(schedule->run(state, 2.0, {}).outcome, Outcome::success);

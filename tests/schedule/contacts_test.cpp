@@ -20,7 +20,7 @@
 #include "jetlag/schedule/asynchronous.hpp"
 #include "jetlag/schedule/block.hpp"
 #include "jetlag/schedule/lockstep.hpp"
-#include "support/scenes_for_tests.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -191,7 +191,7 @@ TEST_P(ContactsOfClocks, GiveTheSameBitsWhereverARunIsStopped) {
 
 TEST_P(Contacts, GiveTheSameBitsWhateverParticlesAreCalled) {
   const Row row;
-  Scene scene{row.system, row.start};
+  Problem scene{row.system, row.start};
   std::vector<int> number(Row::count);
   for (int i = 0; i < Row::count; ++i) number[i] = (i * 7 + 3) % Row::count;
   System<double> system(2, row.system.mass());

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // What clocks of their own are worth to a heavy mass that is shaken by a light, fast one (methods 13, H3).
-#include "studies/heavy_and_light.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include "jetlag/model/energy.hpp"
 #include "jetlag/schedule/asynchronous.hpp"
 #include "jetlag/schedule/block.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -20,7 +19,7 @@ struct Ran {
   State<double> end;
   double ratio() const { return light / heavy; }
 };
-Ran ran(const HeavyAndLight& scene, ClockSchedule& schedule, double until) {
+Ran ran(const Problem& scene, ClockSchedule& schedule, double until) {
   EnergyMeter meter(scene.system);
   const double energy = meter(scene.start).total();
   Ran ran{0, 0, 0, scene.start};
@@ -35,7 +34,7 @@ Ran ran(const HeavyAndLight& scene, ClockSchedule& schedule, double until) {
   return ran;
 }
 
-BlockSteps block(const HeavyAndLight& scene, int degree, int grading, double tolerance = 1e-10) {
+BlockSteps block(const Problem& scene, int degree, int grading, double tolerance = 1e-10) {
   BlockSteps::Options options;
   options.tolerance = tolerance;
   options.grading = grading;
@@ -50,7 +49,7 @@ TEST(HeavyAndLight, HaveStepsInTheRatioOfTheirLastCoefficients) {
   // 1e-6 of the light one's. So its steps are longer by the root of 1e6 of the order that decides, N - 1 or N; each is
   // rounded down to a power of two. At degree 4 that is 100, and no more than 2 at degree 20: the polynomial of so high
   // a degree follows the shaking, however small, for a few of its radians, and is no motion at all beyond.
-  const HeavyAndLight scene = light_mass();
+  const Problem scene = light_mass();
   for (const int degree : {4, 6, 8, 12, 16, 20}) {
     auto schedule = block(scene, degree, 0);
     const double ratio = ran(scene, schedule, 1.0).ratio();
@@ -65,7 +64,7 @@ TEST(HeavyAndLight, HaveStepsInTheRatioOfTheirLastCoefficients) {
 TEST(HeavyAndLight, AreWithinAFactorByTheGrading) {
   // Each is the other's neighbour: 2^grading, unless the series ask for less. A free clock outlasts the
   // light one's step by half of it at most.
-  const HeavyAndLight scene = light_mass();
+  const Problem scene = light_mass();
   for (const int grading : {1, 2, 3}) {
     auto schedule = block(scene, 6, grading);
     EXPECT_NEAR(ran(scene, schedule, 1.0).ratio(), std::ldexp(1.0, grading), 0.02 * std::ldexp(1.0, grading));
@@ -83,7 +82,7 @@ TEST(HeavyAndLight, PayForARatioOfAHundredWithAccuracyAndWork) {
   // light mass, omega h = 5e-3, a thousandth; for the heavy one, a hundred times longer, a tenth, and its velocity is off
   // by that over h, 2e-9 m/s, 2000 times. With the grading of 1 its steps are as good as the light one's, and
   // degree 8 with it has a twelfth of the work besides.
-  const HeavyAndLight scene = light_mass();
+  const Problem scene = light_mass();
   auto hundred = block(scene, 4, 0), graded = block(scene, 4, 1), high = block(scene, 8, 1);
   const Ran a = ran(scene, hundred, 1.0), b = ran(scene, graded, 1.0), c = ran(scene, high, 1.0);
   EXPECT_LT(a.energy_error, 1e-6);
@@ -99,7 +98,7 @@ TEST(HeavyAndLight, PayForARatioOfAHundredWithAccuracyAndWork) {
 
 TEST(HeavyAndLight, AreUpdatedAlikeWhereBothAreFast) {
   // Equal masses, a stiff spring between them: they shake each other by as much.
-  const HeavyAndLight scene = stiff_spring();
+  const Problem scene = stiff_spring();
   auto schedule = block(scene, 16, 0, 1e-13);
   const Ran run = ran(scene, schedule, 100.0);
   EXPECT_EQ(run.heavy, run.light);

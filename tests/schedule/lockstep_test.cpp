@@ -12,9 +12,10 @@
 
 #include "jetlag/control/fixed_step.hpp"
 #include "jetlag/control/jorba_zou.hpp"
+#include "jetlag/forces/spring.hpp"
 #include "jetlag/integrators/explicit/leapfrog.hpp"
 #include "jetlag/integrators/taylor.hpp"
-#include "support/scenes_for_tests.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -22,10 +23,10 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-Lockstep taylor_in_steps(const Scene& scene, double step) {
+Lockstep taylor_in_steps(const Problem& scene, double step) {
   return Lockstep(taylor(scene.system, 4, std::make_unique<FixedStep>(step)));
 }
-Lockstep leapfrog_in_steps(const Scene& scene, double step) {
+Lockstep leapfrog_in_steps(const Problem& scene, double step) {
   return Lockstep(std::make_unique<Leapfrog>(scene.system, step));
 }
 
@@ -34,7 +35,7 @@ bool is_finite(const State<double>& state) {
 }
 
 TEST(Lockstep, EndsAtTheGivenTimeToTheLastBit) {
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   for (double step : {0.1, 0.01, 1.0 / 3.0, 0.0625, 0.3, 0.7, 5.0})
     for (double until : {1.0, 0.7, 3.3, 1.0 / 7.0, 10.0}) {
       State<double> state = scene.start;
@@ -48,7 +49,7 @@ TEST(Lockstep, EndsAtTheGivenTimeToTheLastBit) {
 
 TEST(Lockstep, EndsAtTheGivenTimeFromNegativeTimes) {
   // -3 + (0.1 - -3) is not 0.1 in doubles: the end is set, not added up.
-  Scene scene = oscillator();
+  Problem scene = oscillator();
   scene.start.time = -3.0;
   ASSERT_NE(-3.0 + (0.1 - -3.0), 0.1);
   State<double> state = scene.start;
@@ -57,7 +58,7 @@ TEST(Lockstep, EndsAtTheGivenTimeFromNegativeTimes) {
 }
 
 TEST(Lockstep, TakesNoMoreStepsThanDivideTheTime) {
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   struct Case {
     double step, until;
     std::uint64_t steps;
@@ -82,7 +83,7 @@ TEST(Lockstep, HasAClockThatDoesNotDrift) {
   // At t = 1e9 a double has steps of 1.2e-7: added one by one, a thousand steps of 1e-3 would be off by some
   // 400 of them. Compensated, every time is the nearest double to the truth or one beside it.
   const double begin = 1e9, step = 1e-3, grain = std::nextafter(begin, 2 * begin) - begin;
-  Scene scene = oscillator();
+  Problem scene = oscillator();
   scene.start.time = begin;
   Lockstep lockstep = taylor_in_steps(scene, step);
   State<double> state = scene.start;
@@ -102,7 +103,7 @@ TEST(Lockstep, HasAClockThatDoesNotDrift) {
 TEST(Lockstep, CropsTheLastStepToTheTimeThatIsLeft) {
   // 0.3 + 0.3 + 0.3 + 0.1 at t = 1e9, where the clock shows multiples of 1.2e-7: the motion has passed
   // exactly 1, by degree 20, with a few roundings.
-  Scene scene = oscillator();
+  Problem scene = oscillator();
   scene.start.time = 1e9;
   State<double> state = scene.start;
   Lockstep lockstep(taylor(scene.system, 20, std::make_unique<FixedStep>(0.3)));
@@ -113,7 +114,7 @@ TEST(Lockstep, CropsTheLastStepToTheTimeThatIsLeft) {
 }
 
 TEST(Lockstep, DoesNothingWhereNoTimeIsLeft) {
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   Lockstep lockstep = taylor_in_steps(scene, 0.1);
   State<double> state = scene.start;
   EXPECT_EQ(lockstep.run(state, 0.0, {}).outcome, Outcome::success);
@@ -122,7 +123,7 @@ TEST(Lockstep, DoesNothingWhereNoTimeIsLeft) {
 }
 
 TEST(Lockstep, RefusesToRunBackwards) {
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   Lockstep lockstep = taylor_in_steps(scene, 0.1);
   State<double> state = scene.start;
   EXPECT_THROW(lockstep.run(state, -1.0, {}), std::invalid_argument);
@@ -130,7 +131,7 @@ TEST(Lockstep, RefusesToRunBackwards) {
 }
 
 TEST(Lockstep, ShowsEveryStepToTheObserver) {
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   Lockstep lockstep = taylor_in_steps(scene, 0.3);
   State<double> state = scene.start;
   double last = 0.0;
@@ -148,7 +149,7 @@ TEST(Lockstep, ShowsEveryStepToTheObserver) {
 
 TEST(Lockstep, ContinuesWhereItStopped) {
   // Two runs of five steps are one run of ten, to the last bit: the times are the same doubles here.
-  const Scene scene = spring_cube(1);
+  const Problem scene = spring_cube(1);
   const auto random = [&] {
     return Lockstep(std::make_unique<RandomTaylor>(scene.system, geometric(3, 6, 0.5),
                                                    std::make_unique<FixedStep>(0.125)));
@@ -165,7 +166,7 @@ TEST(Lockstep, ContinuesWhereItStopped) {
 // ---- outcomes ---------------------------------------------------------------------------------------------
 
 TEST(Lockstep, StopsAtTheLargestNumberOfSteps) {
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   Lockstep lockstep = taylor_in_steps(scene, 0.125);
   State<double> state = scene.start;
   RunOptions options;
@@ -179,7 +180,7 @@ TEST(Lockstep, StopsAtTheLargestNumberOfSteps) {
 }
 
 TEST(Lockstep, MayUseUpItsStepsExactly) {
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   State<double> state = scene.start;
   RunOptions options;
   options.max_steps = 8;
@@ -187,7 +188,7 @@ TEST(Lockstep, MayUseUpItsStepsExactly) {
 }
 
 TEST(Lockstep, StopsWhenAsked) {
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   Lockstep lockstep = taylor_in_steps(scene, 0.125);
   State<double> state = scene.start;
   RunOptions options;
@@ -204,7 +205,7 @@ struct Collision {
   State<double> state;
 };
 Collision collision(double begin) {
-  Scene scene = falling_together(1.0);
+  Problem scene = falling_together(1.0);
   scene.start.time = begin;
   Lockstep lockstep(taylor(scene.system, 20, std::make_unique<JorbaZou>()));
   Collision c{{}, scene.start};
@@ -237,7 +238,7 @@ TEST(Lockstep, FollowsACollisionThroughCoefficientsBeyondDoubles) {
 }
 
 TEST(Lockstep, ReportsCoincidentParticlesAsNonFinite) {
-  Scene scene = falling_together(1.0);
+  Problem scene = falling_together(1.0);
   scene.start.time = 0.25;
   scene.start.position.setConstant(3.0);
   const State<double> before = scene.start;
@@ -261,7 +262,7 @@ TEST(Lockstep, ReportsCoincidentParticlesAsNonFinite) {
 TEST(Lockstep, ReportsASpringWithoutLengthAsNonFinite) {
   System<double> system(2, {1.0, 1.0, 1.0});
   system.add<Spring>({{0, 1}, {1, 2}}, {{1.0, 1.0}});
-  Scene scene{std::move(system), {0.0, Coordinates<double>::Zero(3, 2), Coordinates<double>::Zero(3, 2)}};
+  Problem scene{std::move(system), {0.0, Coordinates<double>::Zero(3, 2), Coordinates<double>::Zero(3, 2)}};
   scene.start.position(0, 0) = 1.0;  // particles 1 and 2 coincide
   State<double> state = scene.start;
   const Report report = taylor_in_steps(scene, 0.125).run(state, 1.0, {});
@@ -272,7 +273,7 @@ TEST(Lockstep, ReportsASpringWithoutLengthAsNonFinite) {
 
 TEST(Lockstep, ReportsAMotionThatBlowsUpAndKeepsItsLastGoodState) {
   // Steps of 10 on an oscillator of frequency 1 multiply it by some 400 each (Taylor 4) or 100 (leapfrog).
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   for (bool leap : {false, true}) {
     State<double> state = scene.start, last = scene.start;
     RunOptions options;
@@ -294,7 +295,7 @@ TEST(Lockstep, ReportsAMotionThatBlowsUpAndKeepsItsLastGoodState) {
 }
 
 TEST(Lockstep, ReportsAStepThatDoesNotChangeTheTime) {
-  Scene scene = oscillator();
+  Problem scene = oscillator();
   scene.start.time = 1.0;
   for (bool leap : {false, true}) {
     State<double> state = scene.start;

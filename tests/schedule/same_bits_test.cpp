@@ -46,7 +46,7 @@ const TruncationLaw laws[] = {fixed_degree(8), geometric(4, 8, 0.5)};
 
 TEST_P(SameBits, WhereverARunIsStopped) {
   // After one event, after two, after three, ... each time by a new schedule, which then goes on to the end.
-  const Scene scene = stiff_spot_in_a_chain(8, 100);
+  const Problem scene = stiff_spot_in_a_chain(8, 100);
   for (const TruncationLaw& law : laws) {
     const auto whole = GetParam().make(scene.system, law, 1);
     State<double> end = scene.start;
@@ -70,7 +70,7 @@ TEST_P(SameBits, WhereverARunIsStopped) {
 TEST_P(SameBits, WhateverParticlesAreCalled) {
   // Ties are in the order of numbers: at tick 0 all are due at once, and many are later. The elements keep their order, so
   // that each particle's forces are summed in the same one.
-  const Scene scene = stiff_spot_in_a_chain(24, 1e3);
+  const Problem scene = stiff_spot_in_a_chain(24, 1e3);
   const int particles = scene.system.particles();
   for (const TruncationLaw& law : laws) {
     State<double> one = scene.start;
@@ -79,7 +79,7 @@ TEST_P(SameBits, WhateverParticlesAreCalled) {
          {std::pair(25, 25), std::pair(7, 3), std::pair(11, 20)}) {  // odd, not 13
       std::vector<int> number(particles);
       for (int i = 0; i < particles; ++i) number[i] = (i * factor + shift) % particles;
-      const Scene other = renumbered(scene, number);
+      const Problem other = renumbered(scene, number);
       State<double> state = other.start;
       ASSERT_EQ(GetParam().make(other.system, law, 1)->run(state, 1.0, {}).outcome, Outcome::success);
       for (int i = 0; i < particles; ++i) {
@@ -111,7 +111,7 @@ TEST_P(SameBits, UpToRoundingForAnyOrderOfElements) {
   // Seven springs at each particle, of forces below 3 x 0.2 N: sums in another order differ by 7 roundings of 1.1e-16 x
   // 0.6 x 7 in each coefficient, 3e-15 m/s^2, which moves a mass of 1 kg by as much in a second or two. No step lies
   // so near to a power of two that this decides it: the updates are the same.
-  const Scene scene = spring_cube(3);
+  const Problem scene = spring_cube(3);
   System<double> reversed(3, scene.system.mass());
   for (Elements<double> elements : scene.system.elements()) {
     const std::size_t count = elements.count(), ends = 2, numbers = elements.parameters.size() / count;

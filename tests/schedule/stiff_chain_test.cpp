@@ -22,7 +22,7 @@ namespace {
 constexpr double max_step = 1.25;
 
 /// Degree 20 in steps of 1/200 s: the fastest frequency is 190, (0.95)^21 / 21! = 7e-21.
-State<double> truth(const Scene& scene, double until) {
+State<double> truth(const Problem& scene, double until) {
   State<double> state = scene.start;
   Lockstep(taylor(scene.system, 20, std::make_unique<FixedStep>(0.005))).run(state, until, {});
   return state;
@@ -32,7 +32,7 @@ struct Result {
   Work work;
   double error;  // the largest of a position [m]
 };
-Result result(Schedule& schedule, const Scene& scene, const State<double>& truth) {
+Result result(Schedule& schedule, const Problem& scene, const State<double>& truth) {
   State<double> state = scene.start;
   EXPECT_EQ(schedule.run(state, truth.time, {}).outcome, Outcome::success);
   return {schedule.work(), (state.position - truth.position).cwiseAbs().maxCoeff()};
@@ -45,7 +45,7 @@ struct Case {
 void PrintTo(const Case& c, std::ostream* out) { *out << "degree " << c.degree; }
 class StiffSpot : public ::testing::TestWithParam<Case> {
  protected:
-  const Scene scene = stiff_spot_in_a_chain(128, 1e4);
+  const Problem scene = stiff_spot_in_a_chain(128, 1e4);
   const State<double> end = truth(scene, GetParam().until);
   Result lockstep() const {
     if (GetParam().degree ==

@@ -10,7 +10,7 @@
 #include "jetlag/control/fixed_step.hpp"
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/schedule/lockstep.hpp"
-#include "support/scenes_for_tests.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -18,7 +18,7 @@ namespace {
 using ::testing::ElementsAre;
 
 TEST(Updates, OfOneClockCoverTheRunWithoutGaps) {
-  const Scene scene = spring_cube(1);
+  const Problem scene = spring_cube(1);
   Lockstep lockstep(taylor(scene.system, 5, std::make_unique<FixedStep>(0.3)));
   std::vector<double> known_until(8, 0.0);
   RunOptions options;
@@ -35,7 +35,7 @@ TEST(Updates, OfOneClockCoverTheRunWithoutGaps) {
 }
 
 TEST(Updates, HaveTheDegreesThatWereDrawn) {
-  const Scene scene = spring_cube(1);
+  const Problem scene = spring_cube(1);
   Lockstep lockstep(std::make_unique<RandomTaylor>(scene.system, geometric(3, 6, 0.5),
                                                    std::make_unique<FixedStep>(0.1),
                                                    RandomTaylor::Options{.shared_draw = false}));
@@ -53,7 +53,7 @@ TEST(Updates, HaveTheDegreesThatWereDrawn) {
 }
 
 TEST(Frames, LieWhereTheyWereAskedForAndCropNoStep) {
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   Lockstep lockstep(taylor(scene.system, 20, std::make_unique<FixedStep>(0.5)));
   std::vector<double> times;
   RunOptions options;

@@ -20,7 +20,7 @@ struct Seen {
   Work work;
 };
 Seen seen(double notify) {
-  const Scene scene = stiff_spot_in_a_chain(24, 1e3);
+  const Problem scene = stiff_spot_in_a_chain(24, 1e3);
   Asynchronous::Options options;
   options.tolerance = 1e-8;
   options.notify = notify;
@@ -63,7 +63,7 @@ TEST(WakeUps, ComeAtMostOnceForAParticleAtATime) {
 }
 
 TEST(WakeUps, AreNoneWithBlocks) {
-  const Scene scene = stiff_spot_in_a_chain(24, 1e3);
+  const Problem scene = stiff_spot_in_a_chain(24, 1e3);
   BlockSteps schedule(scene.system, 8, {});
   State<double> state = scene.start;
   ASSERT_EQ(schedule.run(state, 1.0, {}).outcome, Outcome::success);

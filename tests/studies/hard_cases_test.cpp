@@ -17,8 +17,8 @@ namespace {
 using ::testing::HasSubstr;
 using Verdict = HardResult::Verdict;
 
-HardCase hard_case(const std::string& name) {
-  for (HardCase& hard : hard_cases())
+problems::Problem hard_case(const std::string& name) {
+  for (problems::Problem& hard : problems::hard_cases())
     if (hard.name.starts_with(name)) return std::move(hard);
   throw std::out_of_range(name);
 }
@@ -33,7 +33,7 @@ HardResult result(const std::string& name, const std::string& method, double eva
 
 TEST(HardCases, AreKnownFromOneToEleven) {
   std::vector<int> counts(12, 0);
-  for (const HardCase& hard : hard_cases()) ++counts.at(std::stoi(hard.name.substr(1)));
+  for (const problems::Problem& hard : problems::hard_cases()) ++counts.at(std::stoi(hard.name.substr(1)));
   for (int h = 1; h <= 11; ++h) EXPECT_GT(counts[h], 0) << 'H' << h;
 }
 
@@ -47,7 +47,7 @@ TEST(HardCases, AreGivenToEveryMethod) {
 TEST(HardCases, EndWhereTaylorSeriesOfDegreeTwentyEnd) {
   // Rounding of 1e-16 grows with the distance of neighbouring motions: 1e5 times for most, 1e8 times for three bodies
   // that meet at 4e-4 (measured: 3e-9). A wrong digit or a wrong law is larger by far.
-  for (const HardCase& hard : hard_cases()) {
+  for (const problems::Problem& hard : problems::hard_cases()) {
     const HardResult taylor = run_hard_case(hard, hard_method("taylor 20, jorba_zou"), 1, 10);
     EXPECT_EQ(taylor.verdict, Verdict::accurate) << hard.name << taylor.message;
     EXPECT_LT(taylor.error, hard.name.starts_with("H2") ? 1e-7 : 1e-9) << hard.name;

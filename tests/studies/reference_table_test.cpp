@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-#include "studies/reference_values.hpp"
+#include "problems/reference_values.hpp"
 #include "support/program.hpp"
 
 namespace jetlag::testing {
@@ -18,7 +18,7 @@ std::map<std::string, double> errors(const std::string& arguments) {
   std::istringstream lines(run.output);
   std::map<std::string, double> found;
   for (std::string line; std::getline(lines, line);)
-    for (const auto& [name, values] : reference_values())
+    for (const auto& [name, values] : problems::reference_values())
       if (line.starts_with(name + " ")) {
         std::istringstream fields(line.substr(name.size()));
         std::string until, outcome, steps;
@@ -30,7 +30,7 @@ std::map<std::string, double> errors(const std::string& arguments) {
 
 TEST(ReferenceTable, HasAllProblemsAndSmallerErrorsForALargerDegree) {
   const auto coarse = errors("--degree 6"), fine = errors("");
-  ASSERT_EQ(fine.size(), reference_values().size());
+  ASSERT_EQ(fine.size(), problems::reference_values().size());
   for (const auto& [name, error] : fine) {
     EXPECT_LT(error, 1e-9) << name;  // the worst have 8e-11: their conditioning, not the method
     EXPECT_LT(error, 1e-3 * coarse.at(name))

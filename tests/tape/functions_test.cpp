@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every function on a tape is what it is on jets, on every instruction set; and what it costs there.
+#include "jetlag/series/functions.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -107,6 +109,24 @@ Operands random_operands() {
     }
   }
   return operands;
+}
+
+/// What functions are made of: on tapes of kernels_test.cpp, fusion_test.cpp and choices_test.cpp.
+using ArithmeticAndConditions = RuleList<Embed, Add, Subtract, Negate, Offset, Scale, Multiply, Square,
+                                         Divide, DivideByConstant, Reciprocal, Sum<3>, Sum<4>, SquaredNorm<2>,
+                                         SquaredNorm<3>, Dot<2>, Dot<3>, Less, LessOrEqual, And, Or, Not>;
+
+TEST(FunctionsOnATape, AreAllOfTheRegister) {
+  std::vector<bool> is_recorded(Rules::size, false);
+  for_each_function([&](const char*, auto f) {
+    for (const Node& node : tape_of(f).nodes)
+      if (node.kind == Node::Kind::operation) is_recorded[node.rule] = true;
+  });
+  [&]<Rule... R>(RuleList<R...>) { ((is_recorded[rule_id<R>] = true), ...); }(ArithmeticAndConditions{});
+  const auto expect_recorded = [&](const char* name, int id) {
+    EXPECT_TRUE(is_recorded[id]) << name << ": add a function that records it to the list above";
+  };
+  [&]<Rule... R>(RuleList<R...>) { (expect_recorded(R::name, rule_id<R>), ...); }(Rules{});
 }
 
 TEST(FunctionsOnATape, HaveTheBitsOfJetsOnOneLane) {

@@ -22,7 +22,6 @@ class Accelerations {
   explicit Accelerations(const System<double>& system);
 
   bool depend_on_velocity() const { return depend_on_velocity_; }
-  bool depend_on_time() const { return depend_on_time_; }
 
   /// a [m/s^2], shape (particles, dimension). False where it is not finite: the report then says where and why.
   bool operator()(const State<double>& state, Coordinates<double>& a, Report& report);

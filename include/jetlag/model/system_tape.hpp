@@ -8,7 +8,7 @@
 namespace jetlag {
 
 /// The forces on all particles, all laws together [N].
-/// Inputs: position and velocity with the particle as participant, time; a separation is that of particles 0 and 1.
+/// Inputs: position and velocity with the particle as participant, time; separations are written out.
 /// Outputs: particles x dimension, particle by particle; zero for fixed ones. Parameters and masses are constants.
 Tape system_tape(const System<double>& system);
 

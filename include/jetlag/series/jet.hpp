@@ -17,7 +17,7 @@
 //
 //   auto x = Jet<double, Dynamic>::variable(2.0, 3);        //  2 + t + O(t^4)
 //   auto y = exp(x) * 2.0;                                  //  y.degree() == 3
-//   x.append(0.0);  resume<Exp>(v, x);                      //  coefficient 4 of v = exp(x), see resume.hpp
+//   x.append(0.0);                                          //  one more coefficient is known
 //
 // Where a function is not analytic at the point (sqrt at 0, division by 0) the jet is not finite from the
 // first coefficient that does not exist; a CheckedJet throws (singular_point.hpp). Where the singularity is

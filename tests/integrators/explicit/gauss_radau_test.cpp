@@ -11,9 +11,10 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "jetlag/forces/drag.hpp"
 #include "jetlag/model/energy.hpp"
 #include "jetlag/schedule/lockstep.hpp"
-#include "support/scenes_for_tests.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -30,7 +31,7 @@ TEST(GaussRadau, NodesAreTheZerosOfLegendrePolynomials) {
 
 /// Steps of 1/n of a period, the error after one.
 double error_with(double e, int n) {
-  const Scene scene = planet(e);
+  const Problem scene = planet(e);
   State<double> state = scene.start;
   const double period = 2 * std::numbers::pi;
   Lockstep run(std::make_unique<GaussRadau>(scene.system, GaussRadau::Options{.step = period / n}));
@@ -47,7 +48,7 @@ TEST(GaussRadau, TheErrorFallsWithThePowerFifteen) {
 
 TEST(GaussRadau, KeepsTheEnergyOfAnEccentricOrbitToRounding) {
   // 100 periods of e = .9: the relative error of the energy is a random walk of roundings, below 1e-14 (Brouwer).
-  const Scene scene = planet(0.9);
+  const Problem scene = planet(0.9);
   State<double> state = scene.start;
   EnergyMeter energy(scene.system);
   const double start = energy(state).total();
@@ -61,7 +62,7 @@ TEST(GaussRadau, KeepsTheEnergyOfAnEccentricOrbitToRounding) {
 
 TEST(GaussRadau, FollowsDragAndForcesThatDependOnTime) {
   // x'' = -c x' + cos(w t) from rest:  v = (c cos wt + w sin wt - c e^{-ct}) / (c^2 + w^2).
-  Scene scene = oscillator(0.0, 0.0, 0.0);
+  Problem scene = oscillator(0.0, 0.0, 0.0);
   scene.system.add<Drag>({{0}}, {{0.7}});
   scene.system.add<Shaker>({{0}}, {{3.0}});
   State<double> state = scene.start;
@@ -73,7 +74,7 @@ TEST(GaussRadau, FollowsDragAndForcesThatDependOnTime) {
 
 TEST(GaussRadau, AnEncounterIsMetWithShorterSteps) {
   // Two bodies fall together from rest and are followed to a separation of some percent.
-  const Scene scene = falling_together(1.0);
+  const Problem scene = falling_together(1.0);
   State<double> state = scene.start;
   EnergyMeter energy(scene.system);
   const double start = energy(state).total();
@@ -84,7 +85,7 @@ TEST(GaussRadau, AnEncounterIsMetWithShorterSteps) {
 }
 
 TEST(GaussRadau, TheMotionWithinAStepIsItsPolynomial) {
-  const Scene scene = planet(0.1);
+  const Problem scene = planet(0.1);
   GaussRadau method(scene.system, {.step = 0.25});
   State<double> state = scene.start;
   Report report;
@@ -95,7 +96,7 @@ TEST(GaussRadau, TheMotionWithinAStepIsItsPolynomial) {
 }
 
 TEST(GaussRadau, RefusesWhatIsNotPositive) {
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   EXPECT_THROW(GaussRadau(scene.system, {.tolerance = 0.0}), std::invalid_argument);
   EXPECT_THROW(GaussRadau(scene.system, {.max_step = -1.0}), std::invalid_argument);
   EXPECT_THROW(GaussRadau(scene.system, {.step = 0.0}), std::invalid_argument);

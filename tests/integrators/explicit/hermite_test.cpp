@@ -9,14 +9,16 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "jetlag/forces/drag.hpp"
 #include "jetlag/model/energy.hpp"
 #include "jetlag/schedule/lockstep.hpp"
-#include "support/scenes_for_tests.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {
 
-State<double> after(const Scene& scene, const Hermite::Options& options, double until, Work* work = nullptr) {
+State<double> after(const Problem& scene, const Hermite::Options& options, double until,
+                    Work* work = nullptr) {
   State<double> state = scene.start;
   Lockstep run(std::make_unique<Hermite>(scene.system, options));
   EXPECT_EQ(run.run(state, until, {}).outcome, Outcome::success);
@@ -35,7 +37,7 @@ TEST(Hermite, ConvergedStepsAreThoseOfTheFourthPadeApproximation) {
 
 TEST(Hermite, ConvergedStepsAreSymmetricSoTheEnergyDoesNotDrift) {
   // 200 periods of e = .3, 60 steps each: with one iteration the energy drifts, with eight it does not.
-  const Scene scene = planet(0.3);
+  const Problem scene = planet(0.3);
   const double period = 2 * std::numbers::pi;
   EnergyMeter energy(scene.system);
   const auto error = [&](int iterations, int periods) {
@@ -48,7 +50,7 @@ TEST(Hermite, ConvergedStepsAreSymmetricSoTheEnergyDoesNotDrift) {
 
 TEST(Hermite, AarsethsStepsFollowAnEccentricOrbit) {
   // h ~ sqrt(eta), the error ~ h^4: eta / 4 gives twice the steps and an error 16 times smaller.
-  const Scene scene = planet(0.9);
+  const Problem scene = planet(0.9);
   Work coarse, fine;
   const auto miss = [&](const State<double>& end) {
     return (end.position.row(1) - scene.start.position.row(1)).norm();
@@ -63,7 +65,7 @@ TEST(Hermite, AarsethsStepsFollowAnEccentricOrbit) {
 TEST(Hermite, TheFirstStepNeedsNoGuess) {
   // On a circle of angular speed w all derivatives are w^k: h = sqrt(eta) / w, from the first step on.
   for (double omega : {1.0, 1e6, 1e-6}) {
-    const Scene scene = circular_oscillator(omega);
+    const Problem scene = circular_oscillator(omega);
     Hermite method(scene.system, {.accuracy = 0.01});
     State<double> state = scene.start;
     Report report;
@@ -82,10 +84,10 @@ TEST(Hermite, EvaluatesTwoOrdersIterationsPlusOneTimesAStep) {
 
 TEST(Hermite, IsOfOrderFourWithDragAndWithForcesThatDependOnTime) {
   // v' = -c v from 1 and v' = cos(w t) from 0:  v = e^{-ct} and sin(w t) / w.
-  Scene sliding = oscillator(0.0, 0.0, 1.0), shaken = oscillator(0.0, 0.0, 0.0);
+  Problem sliding = oscillator(0.0, 0.0, 1.0), shaken = oscillator(0.0, 0.0, 0.0);
   sliding.system.add<Drag>({{0}}, {{0.7}});
   shaken.system.add<Shaker>({{0}}, {{3.0}});
-  const auto slope = [](const Scene& scene, double truth) {
+  const auto slope = [](const Problem& scene, double truth) {
     const auto error = [&](double h) {
       return std::abs(after(scene, {.step = h}, 2.0).velocity(0, 0) - truth);
     };
@@ -96,7 +98,7 @@ TEST(Hermite, IsOfOrderFourWithDragAndWithForcesThatDependOnTime) {
 }
 
 TEST(Hermite, RefusesWhatIsNotPositive) {
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   EXPECT_THROW(Hermite(scene.system, {.iterations = 0}), std::invalid_argument);
   EXPECT_THROW(Hermite(scene.system, {.accuracy = 0.0}), std::invalid_argument);
   EXPECT_THROW(Hermite(scene.system, {.max_step = 0.0}), std::invalid_argument);

@@ -9,16 +9,17 @@
 #include <limits>
 #include <stdexcept>
 
+#include "jetlag/forces/drag.hpp"
 #include "jetlag/model/energy.hpp"
 #include "jetlag/schedule/lockstep.hpp"
-#include "support/scenes_for_tests.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-State<double> after(const Scene& scene, double step, double until) {
+State<double> after(const Problem& scene, double step, double until) {
   State<double> state = scene.start;
   EXPECT_EQ(Lockstep(std::make_unique<Leapfrog>(scene.system, step)).run(state, until, {}).outcome,
             Outcome::success);
@@ -31,7 +32,7 @@ TEST(Leapfrog, ConservesItsModifiedOscillatorEnergy) {
   const auto modified = [&](const State<double>& s) {
     return std::pow(s.velocity(0, 0), 2) + (1 - h * h / 4) * std::pow(s.position(0, 0), 2);
   };
-  const Scene scene = oscillator(1.0, 1.0, 0.5);
+  const Problem scene = oscillator(1.0, 1.0, 0.5);
   const State<double> end = after(scene, h, 1000.0);
   EXPECT_NEAR(modified(end), modified(scene.start), 2000 * 4 * eps);  // 2000 steps of a few roundings
 }
@@ -44,7 +45,7 @@ TEST(Leapfrog, TurnsAnOscillatorByItsDiscreteAngle) {
 }
 
 TEST(Leapfrog, KeepsMomentumAndAngularMomentumOfANetwork) {
-  const Scene scene = spring_cube(1);
+  const Problem scene = spring_cube(1);
   const State<double> end = after(scene, 0.0625, 100.0);
   // Kicks along the springs at fixed positions, drifts along the velocities: rounding alone.
   EXPECT_LT((momentum(scene.system, end) - momentum(scene.system, scene.start)).norm(), 1e-13) << "seed 1";
@@ -55,7 +56,7 @@ TEST(Leapfrog, KeepsMomentumAndAngularMomentumOfANetwork) {
 TEST(Leapfrog, EvaluatesForcesOnceAStep) {
   // And once before the first. 0.1 is no binary fraction: the clock's compensation must not cost evaluations.
   for (double step : {0.125, 0.1}) {
-    const Scene scene = spring_cube(2);
+    const Problem scene = spring_cube(2);
     Lockstep lockstep(std::make_unique<Leapfrog>(scene.system, step));
     State<double> state = scene.start;
     ASSERT_EQ(lockstep.run(state, 1000 * step, {}).outcome, Outcome::success);
@@ -66,7 +67,7 @@ TEST(Leapfrog, EvaluatesForcesOnceAStep) {
 }
 
 TEST(Leapfrog, EvaluatesForcesTwiceAStepWhereTheyDependOnVelocity) {
-  Scene scene = oscillator();
+  Problem scene = oscillator();
   scene.system.add<Drag>({{0}}, {{0.5}});
   Lockstep lockstep(std::make_unique<Leapfrog>(scene.system, 0.125));
   State<double> state = scene.start;
@@ -76,7 +77,7 @@ TEST(Leapfrog, EvaluatesForcesTwiceAStepWhereTheyDependOnVelocity) {
 
 TEST(Leapfrog, RemembersNoForceOfAnotherTimeOrPlace) {
   // The state is moved by hand between steps: the second step is that of an integrator that has seen nothing.
-  Scene scene = oscillator(1.0, 0.5, 0.25);
+  Problem scene = oscillator(1.0, 0.5, 0.25);
   scene.system.add<Shaker>({{0}}, {{3.0}});
   for (auto [x, t] : {std::pair(0.0, 1.0), std::pair(0.125, 0.0), std::pair(0.0, 0.0)}) {
     Leapfrog used(scene.system, 0.25), fresh(scene.system, 0.25);
@@ -95,11 +96,11 @@ TEST(Leapfrog, RemembersNoForceOfAnotherTimeOrPlace) {
 
 TEST(Leapfrog, IsOfOrderTwoWithDragAndWithForcesThatDependOnTime) {
   // x'' = -c x' and x'' = cos(w t): x = v (1 - e^{-ct})/c from x = 0, and x = (1 - cos(w t))/w^2 from rest.
-  Scene sliding = oscillator(0.0, 0.0, 1.0);
+  Problem sliding = oscillator(0.0, 0.0, 1.0);
   sliding.system.add<Drag>({{0}}, {{0.7}});
-  Scene shaken = oscillator(0.0, 0.0, 0.0);
+  Problem shaken = oscillator(0.0, 0.0, 0.0);
   shaken.system.add<Shaker>({{0}}, {{3.0}});
-  const auto slope = [](const Scene& scene, double truth) {
+  const auto slope = [](const Problem& scene, double truth) {
     const double coarse = after(scene, 1.0 / 16, 1.0).position(0, 0) - truth;
     const double fine = after(scene, 1.0 / 64, 1.0).position(0, 0) - truth;
     return std::log(coarse / fine) / std::log(4.0);
@@ -109,7 +110,7 @@ TEST(Leapfrog, IsOfOrderTwoWithDragAndWithForcesThatDependOnTime) {
 }
 
 TEST(Leapfrog, RefusesAStepThatIsNotPositive) {
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   for (double step : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
     EXPECT_THROW(Leapfrog(scene.system, step), std::invalid_argument);
 }

@@ -12,11 +12,12 @@
 #include <stdexcept>
 #include <vector>
 
+#include "jetlag/forces/drag.hpp"
 #include "jetlag/integrators/explicit/dop853.hpp"
 #include "jetlag/integrators/explicit/dopri5.hpp"
 #include "jetlag/integrators/explicit/rk4.hpp"
 #include "jetlag/schedule/lockstep.hpp"
-#include "support/scenes_for_tests.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -112,7 +113,7 @@ struct Result {
   Work work;
 };
 Result one_orbit(const RungeKuttaTable& table, double e, double tolerance) {
-  const Scene scene = planet(e);
+  const Problem scene = planet(e);
   State<double> state = scene.start;
   Lockstep run(std::make_unique<RungeKutta>(scene.system, table, EmbeddedControl{tolerance}));
   EXPECT_EQ(run.run(state, 2 * std::numbers::pi, {}).outcome, Outcome::success);
@@ -135,7 +136,7 @@ TEST(RungeKutta, TheErrorFallsWithTheToleranceAndTheWorkWithItsRoot) {
 TEST(RungeKutta, StepsAreScaledByTheUnitOfTime) {
   // A spring 10^6 times stiffer moves 10^3 times faster: the same steps on a shorter scale.
   const auto steps = [](double omega) {
-    const Scene scene = circular_oscillator(omega);
+    const Problem scene = circular_oscillator(omega);
     State<double> state = scene.start;
     Lockstep run(std::make_unique<RungeKutta>(scene.system, dopri5(), EmbeddedControl{1e-8}));
     EXPECT_EQ(run.run(state, 20.0 / omega, {}).outcome, Outcome::success);
@@ -156,7 +157,7 @@ TEST(RungeKutta, ARejectedStepIsTriedAgainAndCounted) {
 TEST(RungeKutta, DrivesADampedAndShakenParticle) {
   // x'' = -c x' + cos(w t): every stage needs its own time and velocity. From rest, with D = c^2 + w^2:
   // v = (c cos wt + w sin wt - c e^{-ct}) / D.
-  Scene scene = oscillator(0.0, 0.0, 0.0);
+  Problem scene = oscillator(0.0, 0.0, 0.0);
   scene.system.add<Drag>({{0}}, {{0.7}});
   scene.system.add<Shaker>({{0}}, {{3.0}});
   for (const RungeKuttaTable* table : {&dopri5(), &dop853()}) {
@@ -171,7 +172,7 @@ TEST(RungeKutta, DrivesADampedAndShakenParticle) {
 TEST(RungeKutta, TheMotionWithinAStepIsThatOfHermitesInterpolation) {
   // Its error in the middle falls as h^6 (dopri5, in x); two steps of 1/4 and 1/8.
   const auto error = [](const RungeKuttaTable& table, double h) {
-    const Scene scene = planet(0.1);
+    const Problem scene = planet(0.1);
     RungeKutta method(scene.system, table, h);
     State<double> state = scene.start;
     Report report;
@@ -183,7 +184,7 @@ TEST(RungeKutta, TheMotionWithinAStepIsThatOfHermitesInterpolation) {
 }
 
 TEST(RungeKutta, RefusesWhatIsNotPositiveAndEstimatesThatDoNotExist) {
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   EXPECT_THROW(RungeKutta(scene.system, rk4(), 0.0), std::invalid_argument);
   EXPECT_THROW(RungeKutta(scene.system, dopri5(), EmbeddedControl{-1.0}), std::invalid_argument);
   EXPECT_THROW(RungeKutta(scene.system, dopri5(), EmbeddedControl{1e-9, 0.0}), std::invalid_argument);

@@ -8,14 +8,15 @@
 #include <limits>
 #include <stdexcept>
 
+#include "jetlag/forces/drag.hpp"
 #include "jetlag/model/energy.hpp"
 #include "jetlag/schedule/lockstep.hpp"
-#include "support/scenes_for_tests.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {
 
-State<double> after(const Scene& scene, double step, double until) {
+State<double> after(const Problem& scene, double step, double until) {
   State<double> state = scene.start;
   EXPECT_EQ(Lockstep(std::make_unique<SymplecticEuler>(scene.system, step)).run(state, until, {}).outcome,
             Outcome::success);
@@ -29,13 +30,13 @@ TEST(SymplecticEuler, ConservesItsModifiedOscillatorEnergy) {
     const double x = s.position(0, 0), v = s.velocity(0, 0);
     return x * x + v * v - h * x * v;
   };
-  const Scene scene = oscillator(1.0, 1.0, 0.5);
+  const Problem scene = oscillator(1.0, 1.0, 0.5);
   EXPECT_NEAR(modified(after(scene, h, 1000.0)), modified(scene.start),
               2000 * 4 * eps);  // roundings of 2000 steps
 }
 
 TEST(SymplecticEuler, KeepsMomentumAndAngularMomentumOfANetwork) {
-  const Scene scene = spring_cube(1);
+  const Problem scene = spring_cube(1);
   const State<double> end = after(scene, 0.0625, 100.0);
   // Kicks along the springs, drifts along the velocities: rounding alone.
   EXPECT_LT((momentum(scene.system, end) - momentum(scene.system, scene.start)).norm(), 1e-13) << "seed 1";
@@ -44,7 +45,7 @@ TEST(SymplecticEuler, KeepsMomentumAndAngularMomentumOfANetwork) {
 }
 
 TEST(SymplecticEuler, EvaluatesForcesOnceAStep) {
-  const Scene scene = spring_cube(2);
+  const Problem scene = spring_cube(2);
   Lockstep lockstep(std::make_unique<SymplecticEuler>(scene.system, 0.125));
   State<double> state = scene.start;
   ASSERT_EQ(lockstep.run(state, 10.0, {}).outcome, Outcome::success);
@@ -53,7 +54,7 @@ TEST(SymplecticEuler, EvaluatesForcesOnceAStep) {
 }
 
 TEST(SymplecticEuler, RefusesDragAndStepsThatAreNotPositive) {
-  Scene scene = oscillator();
+  Problem scene = oscillator();
   EXPECT_THROW(SymplecticEuler(scene.system, 0.0), std::invalid_argument);
   scene.system.add<Drag>({{0}}, {{0.5}});
   EXPECT_THROW(SymplecticEuler(scene.system, 0.1), std::invalid_argument);

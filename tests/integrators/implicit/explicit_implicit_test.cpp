@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "jetlag/control/courant.hpp"
+#include "jetlag/forces/drag.hpp"
 #include "jetlag/integrators/explicit/leapfrog.hpp"
 #include "jetlag/model/energy.hpp"
 #include "jetlag/schedule/lockstep.hpp"
@@ -24,35 +25,11 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-/// F = k (x_1 - x_0) on 0.
-struct Link {
-  static constexpr const char* name = "link";
-  static constexpr int participants = 2;
-  static constexpr std::array parameters{"stiffness"};
-  static constexpr int stiffness_parameter = 0;
-  template <class T, int D>
-  static Vector<T, D> force(const Participants<T, D, 2>& p, const T& stiffness) {
-    return T(stiffness) * Vector<T, D>(p.position[1] - p.position[0]);
-  }
-  template <class T, int D>
-  static T energy(const Participants<T, D, 2>& p, const T& stiffness) {
-    return T(0.5) * stiffness * Vector<T, D>(p.position[1] - p.position[0]).squaredNorm();
-  }
-};
-
-/// Wall, ten unit masses (1 to 10), wall, all at 0; links of 1, the last five of `stiff`.
-Scene half_stiff_chain(double stiff = 1e4) {
-  System<double> system(1, std::vector<double>(12, 1.0));
-  system.fix(0);
-  system.fix(11);
-  std::vector<std::array<int, 2>> pairs;
-  std::vector<std::array<double, 1>> stiffness;
-  for (int i = 0; i < 11; ++i) {
-    pairs.push_back({i, i + 1});
-    stiffness.push_back({i < 6 ? 1.0 : stiff});
-  }
-  system.add<Link>(pairs, stiffness);
-  return {std::move(system), {0.0, Coordinates<double>::Zero(12, 1), Coordinates<double>::Zero(12, 1)}};
+/// Wall, ten unit masses (1 to 10), wall, all at 0; linear springs of 1, the last five of `stiff`.
+Problem half_stiff_chain(double stiff = 1e4) {
+  std::vector<double> stiffness(11, stiff);
+  std::fill_n(stiffness.begin(), 6, 1.0);
+  return line(std::vector<double>(10, 1.0), stiffness);
 }
 
 /// Masses first .. 10.
@@ -62,7 +39,7 @@ std::vector<bool> from(int first) {
   return implicit;
 }
 
-double radius(const Scene& chain, double h, const std::vector<bool>& implicit) {
+double radius(const Problem& chain, double h, const std::vector<bool>& implicit) {
   return spectral_radius(
       chain, [&] { return Lockstep(std::make_unique<ExplicitImplicit>(chain.system, h, implicit)); }, h);
 }
@@ -74,7 +51,7 @@ const double limit = 2 / std::sqrt(2 + std::sqrt(3.0));
 
 TEST(ExplicitImplicit, IsStableUpToTheLimitOfTheExplicitParticles) {
   // Reference: 75-digit arithmetic. Where two eigenvalues have met at -1 the radius grows by 0.0045 for a millionth of h.
-  const Scene chain = half_stiff_chain();
+  const Problem chain = half_stiff_chain();
   EXPECT_NEAR(limit, 1.035276180410083, 1e-15);
   EXPECT_NEAR(radius(chain, 0.99999 * limit, from(6)), 1.0, 1e-12);
   EXPECT_NEAR(radius(chain, 1.00001 * limit, from(6)), 1.0089588, 1e-7);
@@ -84,7 +61,7 @@ TEST(ExplicitImplicit, IsStableUpToTheLimitOfTheExplicitParticles) {
 }
 
 TEST(ExplicitImplicit, GainsAHundredfoldOnLeapfrog) {
-  const Scene chain = half_stiff_chain();
+  const Problem chain = half_stiff_chain();
   const double fully_explicit = 0.0104221671;  // 2 / omega of the whole chain, 75 digits
   EXPECT_NEAR(radius(chain, 0.9999 * fully_explicit, from(11)), 1.0, 1e-12);
   EXPECT_GT(radius(chain, 1.0001 * fully_explicit, from(11)), 1.01);
@@ -93,7 +70,7 @@ TEST(ExplicitImplicit, GainsAHundredfoldOnLeapfrog) {
 
 TEST(ExplicitImplicit, HasALimitThatDoesNotDependOnTheImplicitStiffness) {
   for (const double stiff : {1.0, 1e2, 1e6}) {
-    const Scene chain = half_stiff_chain(stiff);
+    const Problem chain = half_stiff_chain(stiff);
     EXPECT_NEAR(radius(chain, 0.999 * limit, from(6)), 1.0, 1e-11) << stiff;
     if (stiff > 1) {
       EXPECT_GT(radius(chain, 1.001 * limit, from(6)), 1.01) << stiff;
@@ -104,7 +81,7 @@ TEST(ExplicitImplicit, HasALimitThatDoesNotDependOnTheImplicitStiffness) {
 TEST(ExplicitImplicit, HasNoDriftOfTheEnergy) {
   // 1e5 steps at 0.99 of the limit, velocities of all frequencies: the largest energy of the last tenth of the run is
   // that of the first. What it oscillates by is (h omega / 2)^2 of the potential energy: a factor 1 / (1 - 0.98) at most.
-  const Scene chain = half_stiff_chain();
+  const Problem chain = half_stiff_chain();
   State<double> state = chain.start;
   for (int i = 1; i < 11; ++i) state.velocity(i, 0) = std::sin(1.0 + i * i);
   EnergyMeter energy(chain.system);
@@ -126,7 +103,7 @@ TEST(ExplicitImplicit, HasNoDriftOfTheEnergy) {
 
 TEST(ExplicitImplicit, FindsTheParticlesThatCannotBeExplicit) {
   // By the stiffness at both ends of their links, over masses: 4 for masses 1 .. 4, 10003 and more for those from 5 on.
-  const Scene chain = half_stiff_chain();
+  const Problem chain = half_stiff_chain();
   EXPECT_EQ(beyond_courant(chain.system, 0.999), from(5));
   EXPECT_EQ(beyond_courant(chain.system, 1.001), from(1));
   EXPECT_EQ(beyond_courant(chain.system, 0.009), from(11));
@@ -135,7 +112,7 @@ TEST(ExplicitImplicit, FindsTheParticlesThatCannotBeExplicit) {
 
 // ---- the scheme --------------------------------------------------------------------------------------------
 
-State<double> after(const Scene& scene, std::unique_ptr<Integrator> method, double until) {
+State<double> after(const Problem& scene, std::unique_ptr<Integrator> method, double until) {
   State<double> state = scene.start;
   EXPECT_EQ(Lockstep(std::move(method)).run(state, until, {}).outcome, Outcome::success);
   return state;
@@ -143,7 +120,7 @@ State<double> after(const Scene& scene, std::unique_ptr<Integrator> method, doub
 
 TEST(ExplicitImplicit, IsNewmarkWhereAllAreImplicitAndLeapfrogWhereNoneIs) {
   // Roundings of numbers below 2 in 40 steps, and what Newton's method leaves, as much.
-  const Scene cube = spring_cube(3);
+  const Problem cube = spring_cube(3);
   const State<double> all =
       after(cube, std::make_unique<ExplicitImplicit>(cube.system, 0.05, std::vector<bool>(8, true)), 2.0);
   const State<double> none =
@@ -157,7 +134,7 @@ TEST(ExplicitImplicit, IsNewmarkWhereAllAreImplicitAndLeapfrogWhereNoneIs) {
 
 TEST(ExplicitImplicit, SolvesItsEquationsForForcesThatAreNotLinear) {
   // x_1 - x_0 - h v_0 = h^2/2 ((1 - 2 beta) a_0 + 2 beta a_1),  v_1 - v_0 = h/2 (a_0 + a_1), forces written down.
-  Scene chain = ten_masses();
+  Problem chain = ten_masses();
   for (int i = 0; i < 10; ++i) chain.start.position(i, 0) += 0.05 * std::cos(3.0 * i);
   const double h = 0.1;
   std::vector<bool> implicit(10, false);
@@ -201,7 +178,7 @@ TEST(ExplicitImplicit, SolvesForTheImplicitParticlesOnly) {
   // Eleven linear links: at the beginning of the step, then twice, as the second change is rounding, the forces, and what
   // the implicit masses change of the others; and of the three links that touch these two, forces and a column for each
   // of the two masses.
-  const Scene chain = half_stiff_chain();
+  const Problem chain = half_stiff_chain();
   ExplicitImplicit method(chain.system, 0.009, from(9));
   State<double> state = chain.start;
   state.velocity(5, 0) = 1;
@@ -211,7 +188,7 @@ TEST(ExplicitImplicit, SolvesForTheImplicitParticlesOnly) {
 }
 
 TEST(ExplicitImplicit, RefusesWhatIsNone) {
-  const Scene chain = half_stiff_chain();
+  const Problem chain = half_stiff_chain();
   EXPECT_THROW(ExplicitImplicit(chain.system, 0.0, from(6)), std::invalid_argument);
   EXPECT_THAT([&] { ExplicitImplicit(chain.system, 0.1, {true, false}); },
               ThrowsMessage<std::invalid_argument>(HasSubstr("each of 12 particles")));

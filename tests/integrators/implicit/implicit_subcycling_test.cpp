@@ -14,42 +14,24 @@
 #include <vector>
 
 #include "jetlag/control/fixed_step.hpp"
+#include "jetlag/forces/drag.hpp"
+#include "jetlag/forces/spring.hpp"
 #include "jetlag/integrators/implicit/implicit.hpp"
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/model/energy.hpp"
 #include "jetlag/schedule/lockstep.hpp"
-#include "support/scenes_for_tests.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {
 
-/// F_0 = k (x_1 - x_0): of no length, and linear.
-struct LinearSpring {
-  static constexpr const char* name = "linear spring";
-  static constexpr int participants = 2;
-  static constexpr std::array parameters{"stiffness"};
-
-  template <class T, int D>
-  static Vector<T, D> force(const Participants<T, D, 2>& p, const T& stiffness) {
-    return stiffness * (p.position[1] - p.position[0]);
-  }
-  template <class T, int D>
-  static T energy(const Participants<T, D, 2>& p, const T& stiffness) {
-    return T(0.5) * stiffness * (p.position[1] - p.position[0]).squaredNorm();
-  }
-};
-
 /// wall - 100 - A - 1 - B - 1 - wall, unit masses, displacements; A is particle 1, B particle 2.
-Scene wall_chain() {
-  System<double> system(1, std::vector<double>(4, 1.0));
-  system.fix(0);
-  system.fix(3);
-  system.add<LinearSpring>({{0, 1}, {1, 2}, {2, 3}}, {{100.0}, {1.0}, {1.0}});
-  Scene scene{std::move(system), {0.0, Coordinates<double>::Zero(4, 1), Coordinates<double>::Zero(4, 1)}};
-  scene.start.position(1, 0) = 0.1;
-  scene.start.position(2, 0) = -0.5;
-  scene.start.velocity(2, 0) = 1.0;
-  return scene;
+Problem wall_chain() {
+  Problem chain = line({1, 1}, {100, 1, 1});
+  chain.start.position(1, 0) = 0.1;
+  chain.start.position(2, 0) = -0.5;
+  chain.start.velocity(2, 0) = 1.0;
+  return chain;
 }
 constexpr double explicit_limit = 0.1989974874;  // 2 / omega_max of that chain
 
@@ -61,7 +43,7 @@ TEST(ImplicitSubcycling, KeepsTheEnergyOfLinearForces) {
   // dt ten times the limit of explicit steps, the coarse step m times as long, 1e4 cycles. The energy stays to
   // rounding, at most eps (omega dt / 2)^2 = 100 eps in each of 1e4 m substeps, of either sign: a random walk of 7e-12;
   // measured 1.8e-13.
-  const Scene chain = wall_chain();
+  const Problem chain = wall_chain();
   EnergyMeter energy(chain.system);
   const double begin = energy(chain.start).total();
   for (const int m : {3, 10}) {
@@ -84,7 +66,7 @@ TEST(ImplicitSubcycling, KeepsTheEnergyOfLinearForces) {
 TEST(ImplicitSubcycling, OfRatioOneIsNewmarksMethod) {
   // Whoever is called coarse; 200 steps of ten times the explicit limit, on each of which Newmark's method rounds by
   // (omega dt)^2 / 4 = 100 eps.
-  const Scene chain = wall_chain();
+  const Problem chain = wall_chain();
   for (const std::vector<int>& coarse : {std::vector<int>{}, {1}, {2}, {1, 2}}) {
     ImplicitSubcycling method(chain.system, options(10 * explicit_limit, 1, coarse));
     Newmark newmark(chain.system, 10 * explicit_limit);
@@ -102,7 +84,7 @@ TEST(ImplicitSubcycling, OfRatioOneIsNewmarksMethod) {
 TEST(ImplicitSubcycling, HasOrderTwoAtAnyRatio) {
   // A cube of springs with drag on some particles, half of them coarse, against degree 20 at t = 2: nonlinear, with a
   // large interface. Cycles of 0.05 and 0.025 s; the next term of a symmetric method is of order 4.
-  Scene cube = spring_cube(2);
+  Problem cube = spring_cube(2);
   cube.system.add<Drag>({{1}, {4}}, {{0.3}});
   State<double> exact = cube.start;
   Lockstep taylor_20(taylor(cube.system, 20, std::make_unique<FixedStep>(0.05)));
@@ -122,7 +104,7 @@ TEST(ImplicitSubcycling, HasOrderTwoAtAnyRatio) {
 TEST(ImplicitSubcycling, KeepsMomentumToRounding) {
   // What a fine element does to a coarse particle over a cycle is the sum of what it does to the fine one: 40 cycles of
   // 5 substeps, each solved to some eps of velocities below 1 in masses below 2.
-  const Scene cube = spring_cube(3);
+  const Problem cube = spring_cube(3);
   Lockstep run(std::make_unique<ImplicitSubcycling>(cube.system, options(0.01, 5, {0, 2, 4, 6})));
   State<double> state = cube.start;
   ASSERT_EQ(run.run(state, 2.0, {}).outcome, Outcome::success);
@@ -181,20 +163,17 @@ TEST(ImplicitSubcycling, KeepsTheEnergyOfAStiffSpring) {
 }
 
 /// wall - 1e6 - A - 1 - B, unit masses, displacements; B is particle 2.
-Scene stiff_chain() {
-  System<double> system(1, std::vector<double>(3, 1.0));
-  system.fix(0);
-  system.add<LinearSpring>({{0, 1}, {1, 2}}, {{1e6}, {1.0}});
-  Scene scene{std::move(system), {0.0, Coordinates<double>::Zero(3, 1), Coordinates<double>::Zero(3, 1)}};
-  scene.start.position(1, 0) = 0.1;
-  scene.start.position(2, 0) = -0.5;
-  return scene;
+Problem stiff_chain() {
+  Problem chain = line({1, 1}, {1e6, 1});
+  chain.start.position(1, 0) = 0.1;
+  chain.start.position(2, 0) = -0.5;
+  return chain;
 }
 
 TEST(ImplicitSubcycling, NoEnergyIsInventedWithinACycle) {
   // omega h = 100. The energy is convex, and on a line between two states of one energy never above it. At the ends
   // it stays to eps (omega dt / 2)^2 = 25 eps in each of 100 substeps.
-  const Scene chain = stiff_chain();
+  const Problem chain = stiff_chain();
   EnergyMeter energy(chain.system);
   const double begin = energy(chain.start).total();
   ImplicitSubcycling method(chain.system, options(0.01, 10, {2}));
@@ -214,7 +193,7 @@ TEST(ImplicitSubcycling, NoEnergyIsInventedWithinACycle) {
 TEST(ImplicitSubcycling, WithinACycleTheErrorIsThatOfALine) {
   // x = cos t: a line over h is wrong by at most h^2 / 8 = 1.25e-3, positions and velocities, and its ends at t = 1 by
   // (h / 2)^2 t / 12 = 2.1e-4, the phase of the trapezoidal rule in steps of h / 2.
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   ImplicitSubcycling method(scene.system, options(0.05, 2, {}));
   State<double> state = scene.start;
   Report report;
@@ -236,7 +215,7 @@ TEST(ImplicitSubcycling, WithinACycleTheErrorIsThatOfALine) {
 TEST(ImplicitSubcycling, ACycleThatIsCroppedTakesFewerSubsteps) {
   // Of at most dt, all alike. Two passes of Newton's method each evaluate every substep once, beside what is evaluated
   // at the ends of a cycle: the count is linear in the substeps.
-  const Scene chain = wall_chain();
+  const Problem chain = wall_chain();
   const auto coefficients = [&](double step, int ratio, double limit) {
     ImplicitSubcycling method(chain.system, options(step, ratio, {2}));
     State<double> state = chain.start;
@@ -253,7 +232,7 @@ TEST(ImplicitSubcycling, ACycleThatIsCroppedTakesFewerSubsteps) {
 
 TEST(ImplicitSubcycling, TheShortestStepHasAPiece) {
   // Of 1e-300 s, in which nothing moves by more than a rounding of it.
-  const Scene chain = wall_chain();
+  const Problem chain = wall_chain();
   for (const double h : {1e-300, 1e-310, std::numeric_limits<double>::denorm_min()}) {
     ImplicitSubcycling method(chain.system, options(0.01, 10, {2}));
     State<double> state = chain.start;
@@ -269,7 +248,7 @@ TEST(ImplicitSubcycling, TheShortestStepHasAPiece) {
 
 TEST(ImplicitSubcycling, RefusesCyclesThatDoNotFitIntoMemory) {
   // Per substep 8 (f (1 + i) + 2 n) = 8 (1 * 2 + 2 * 4) = 80 bytes: 2 GiB are 2.68e7 substeps.
-  const Scene chain = wall_chain();
+  const Problem chain = wall_chain();
   EXPECT_NO_THROW(ImplicitSubcycling(chain.system, options(1e-9, 26'000'000, {2})));
   try {
     ImplicitSubcycling(chain.system, options(1e-9, 27'000'000, {2}));
@@ -283,7 +262,7 @@ TEST(ImplicitSubcycling, RefusesCyclesThatDoNotFitIntoMemory) {
 }
 
 TEST(ImplicitSubcycling, RefusesWhatItCannotDo) {
-  const Scene chain = wall_chain();
+  const Problem chain = wall_chain();
   for (const auto& bad : {options(0.0, 1, {}), options(0.1, 0, {}), options(0.1, 2, {4}),
                           options(0.1, 2, {-1}), options(0.1, 2, {1, 1})})
     EXPECT_THROW(ImplicitSubcycling(chain.system, bad), std::invalid_argument);

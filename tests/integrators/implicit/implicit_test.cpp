@@ -10,44 +10,22 @@
 #include <limits>
 #include <stdexcept>
 
+#include "jetlag/forces/drag.hpp"
+#include "jetlag/forces/spring.hpp"
 #include "jetlag/integrators/implicit/explicit_implicit.hpp"
 #include "jetlag/integrators/perturbed/random_step.hpp"
 #include "jetlag/model/energy.hpp"
 #include "jetlag/schedule/lockstep.hpp"
-#include "support/scenes_for_tests.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-/// F = -(1/r^3 + .015/r^5) x: Kepler's problem, perturbed.
-struct PerturbedKepler {
-  static constexpr const char* name = "perturbed kepler";
-  static constexpr int participants = 1;
-  static constexpr std::array<const char*, 0> parameters{};
-
-  template <class T, int D>
-  static Vector<T, D> force(const Participants<T, D, 1>& p) {
-    using std::sqrt;
-    const T s = p.position[0].squaredNorm(), r3 = s * sqrt(s);
-    return T(T(-1.0) / r3 - T(0.015) / (r3 * s)) * p.position[0];
-  }
-};
-
-/// From (1 - e, 0) with (0, sqrt((1 + e) / (1 - e))), e = .6: angular momentum .8.
-Scene perturbed_planet() {
-  System<double> system(2, {1.0});
-  system.add<PerturbedKepler>({{0}}, {});
-  Scene scene{std::move(system), {0.0, Coordinates<double>::Zero(1, 2), Coordinates<double>::Zero(1, 2)}};
-  scene.start.position(0, 0) = 0.4;
-  scene.start.velocity(0, 1) = 2.0;
-  return scene;
-}
-
 TEST(RandomStep, KeepsTheAngularMomentumThatTheMidpointRuleKeeps) {
   // p = 2, h = .01, up to t = 40. Every step adds some roundings of numbers near 1: sqrt(4000) eps and less.
-  const Scene scene = perturbed_planet();
+  const Problem scene = perturbed_planet();
   Lockstep run(std::make_unique<RandomStep>(std::make_unique<ImplicitMidpoint>(scene.system, 1e300),
                                             RandomStep::Options{.step = 0.01, .order = 2}));
   State<double> state = scene.start;
@@ -64,7 +42,7 @@ TEST(RandomStep, KeepsTheAngularMomentumThatTheMidpointRuleKeeps) {
 
 TEST(Implicit, StiffOscillatorsKeepTheirAmplitude) {
   // Both are the trapezoidal rule on x'' = -w^2 x: the energy stays for any h, here h w = 1000.
-  const Scene scene = oscillator(1e4, 1.0, 0.0);
+  const Problem scene = oscillator(1e4, 1.0, 0.0);
   EnergyMeter energy(scene.system);
   const auto error = [&](std::unique_ptr<Integrator> method) {
     State<double> state = scene.start;
@@ -79,7 +57,7 @@ TEST(Implicit, StiffOscillatorsKeepTheirAmplitude) {
 TEST(Implicit, TurnsAnOscillatorByTheCayleyTransform) {
   // x_n = cos(n theta), tan(theta / 2) = h / 2, from x = 1 and v = 0.
   const double h = 0.5, theta = 2 * std::atan(h / 2);
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   for (int which : {0, 1}) {
     std::unique_ptr<Integrator> method;
     if (which == 0)
@@ -94,7 +72,7 @@ TEST(Implicit, TurnsAnOscillatorByTheCayleyTransform) {
 
 TEST(Implicit, FollowsDrag) {
   // v_1 = (1 - c h/2) / (1 + c h/2) v_0 for both, even where c h is large.
-  Scene scene = oscillator(0.0, 0.0, 1.0);
+  Problem scene = oscillator(0.0, 0.0, 1.0);
   scene.system.add<Drag>({{0}}, {{100.0}});
   ImplicitMidpoint midpoint(scene.system, 0.25);
   Newmark newmark(scene.system, 0.25);
@@ -139,36 +117,21 @@ TEST(Implicit, LargeScenesAreSolvedWithoutAMatrix) {
   EXPECT_NEAR(energy(state).total() / energy(start).total(), 1, 1e-12);  // 20 steps, each to 2 eps
 }
 
-/// F = k d, d = x_1 - x_0.
-struct Tie {
-  static constexpr const char* name = "tie";
-  static constexpr int participants = 2;
-  static constexpr std::array parameters{"stiffness"};
-
-  template <class T, int D>
-  static Vector<T, D> force(const Participants<T, D, 2>& p, const T& stiffness) {
-    return stiffness * Vector<T, D>(p.position[1] - p.position[0]);
-  }
-};
-
 /// 200 unit masses between walls, every second tie as given, the others of 1 N/m.
-Scene line_of_ties(double stiffness) {
+Problem line_of_ties(double stiffness) {
   constexpr int moving = 200;
-  System<double> system(1, std::vector<double>(moving + 2, 1.0));
-  system.fix(0);
-  system.fix(moving + 1);
-  for (int i = 0; i <= moving; ++i) system.add<Tie>({{i, i + 1}}, {{i % 2 == 0 ? stiffness : 1.0}});
-  const auto zero = Coordinates<double>::Zero(moving + 2, 1);
-  Scene scene{std::move(system), {0.0, zero, zero}};
-  for (int i = 1; i <= moving; ++i) scene.start.velocity(i, 0) = std::sin(0.1 * i * i);
-  return scene;
+  std::vector<double> ties;
+  for (int i = 0; i <= moving; ++i) ties.push_back(i % 2 == 0 ? stiffness : 1.0);
+  Problem all = line(std::vector<double>(moving, 1.0), ties);
+  for (int i = 1; i <= moving; ++i) all.start.velocity(i, 0) = std::sin(0.1 * i * i);
+  return all;
 }
 
 TEST(Implicit, SolvesAStepWithAMatrixWhereProductsDoNot) {
   // (1 + h^2/4 K) a_1 = -K (h v_0), x_0 = 0, h = 1: solved densely here. Ties of 1e8 make the condition 1e8, and 200
   // directions that 100 iterations cannot tell apart; ties of 1 make it 2. The solution is known to that times eps.
   for (const double stiffness : {1.0, 1e8}) {
-    const Scene scene = line_of_ties(stiffness);
+    const Problem scene = line_of_ties(stiffness);
     const int n = scene.system.particles() - 2;
     Eigen::MatrixXd k = Eigen::MatrixXd::Zero(n, n);
     for (int i = 0; i <= n; ++i) {
@@ -223,7 +186,7 @@ TEST(Implicit, FindsTheSolutionThatIsTheMotion) {
 
 TEST(Implicit, HasNoMoreEnergyWithinAStepThanAtItsEnds) {
   // h omega = 100: a parabola through the step would have h^2 omega^2 / 16 times the energy in between.
-  const Scene scene = oscillator(1e4, 1.0, 0.0);
+  const Problem scene = oscillator(1e4, 1.0, 0.0);
   EnergyMeter energy(scene.system);
   for (const bool midpoint : {true, false}) {
     std::unique_ptr<Integrator> method;
@@ -242,7 +205,7 @@ TEST(Implicit, HasNoMoreEnergyWithinAStepThanAtItsEnds) {
 TEST(Implicit, CountsTheElementsOfItsJacobian) {
   // A linear force of one element and one unknown: where the step begins; then twice, as the second change is rounding,
   // the force and one column.
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   ImplicitMidpoint method(scene.system, 0.25);
   State<double> state = scene.start;
   Report report;
@@ -251,7 +214,7 @@ TEST(Implicit, CountsTheElementsOfItsJacobian) {
 }
 
 TEST(Implicit, RefusesAStepThatIsNotPositive) {
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   EXPECT_THROW(ImplicitMidpoint(scene.system, 0.0), std::invalid_argument);
   EXPECT_THROW(Newmark(scene.system, -1.0), std::invalid_argument);
 }

@@ -8,13 +8,14 @@
 #include <stdexcept>
 #include <vector>
 
+#include "jetlag/forces/drag.hpp"
 #include "jetlag/integrators/explicit/leapfrog.hpp"
 #include "jetlag/integrators/explicit/rk4.hpp"
 #include "jetlag/integrators/perturbed/conrad.hpp"
 #include "jetlag/integrators/perturbed/exponential_step.hpp"
 #include "jetlag/integrators/perturbed/random_step.hpp"
 #include "jetlag/schedule/lockstep.hpp"
-#include "support/scenes_for_tests.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -22,7 +23,7 @@ namespace {
 constexpr double any_length = 1e300;
 
 /// y' = -y as the velocity of particles with drag, three of them in each.
-Scene decays(int particles) {
+Problem decays(int particles) {
   System<double> system(3, std::vector<double>(particles, 1.0));
   std::vector<std::array<int, 1>> all;
   for (int i = 0; i < particles; ++i) all.push_back({i});
@@ -34,7 +35,7 @@ Scene decays(int particles) {
 TEST(Conrad, TheVarianceOfADecayIsThatOfItsAutoregression) {
   // Euler with noise: y_{n+1} = (1 - h) y_n + xi, Var y_n = sigma^2 h^3 (1 - R^2n) / (1 - R^2), R = 1 - h:
   // 5.2632e-3 for h = .1, n = 100. Of 36000 paths the variance is off by sqrt(2 / 36000) = 0.75 %, the mean by 4e-4.
-  const Scene scene = decays(12000);
+  const Problem scene = decays(12000);
   Conrad method(scene.system, std::make_unique<RungeKutta>(scene.system, euler(), any_length),
                 {.step = 0.1, .order = 1});
   State<double> state = scene.start;
@@ -86,7 +87,7 @@ TEST(RandomStep, LengthsHaveTheirMeanAndVariance) {
 TEST(RandomStep, TheSecondMomentOfADecayIsInClosedForm) {
   // Euler, uniform: y_1 = (1 - H) y_0, E |R|^2 = (1 - h)^2 + h^(2p+1) / 3, from 20000 seeds of one step.
   const double h = 0.5, p = 1, exact = (1 - h) * (1 - h) + std::pow(h, 2 * p + 1) / 3;
-  const Scene scene = decays(1);
+  const Problem scene = decays(1);
   double sum = 0, squares = 0;
   const int seeds = 20000;
   for (int seed = 1; seed <= seeds; ++seed) {
@@ -104,7 +105,7 @@ TEST(RandomStep, TheSecondMomentOfADecayIsInClosedForm) {
 }
 
 TEST(RandomStep, ForcesAreTakenAtTheTimeOfTheLabel) {
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   RandomStep method(std::make_unique<Leapfrog>(scene.system, any_length), {.step = 0.25, .order = 1});
   State<double> state = scene.start;
   Report report;
@@ -114,7 +115,7 @@ TEST(RandomStep, ForcesAreTakenAtTheTimeOfTheLabel) {
 
 TEST(ExponentialStep, TheSecondMomentOfADecayIsInClosedForm) {
   // E |R|^2 = 1 - 2h + 2h^2: .905 at h = .95 and 1.105 at h = 1.05, from 40000 seeds of one step.
-  const Scene scene = decays(1);
+  const Problem scene = decays(1);
   for (const auto& [h, factor] : {std::pair(0.95, 0.905), std::pair(1.05, 1.105)}) {
     double sum = 0, first = 0, squares = 0;
     const int seeds = 40000;
@@ -135,7 +136,7 @@ TEST(ExponentialStep, TheSecondMomentOfADecayIsInClosedForm) {
 }
 
 TEST(ExponentialStep, EndsWhereTheRunEnds) {
-  const Scene scene = decays(1);
+  const Problem scene = decays(1);
   State<double> state = scene.start;
   Lockstep run(std::make_unique<ExponentialStep>(scene.system, 0.01, 1));
   ASSERT_EQ(run.run(state, 10.0, {}).outcome, Outcome::success);

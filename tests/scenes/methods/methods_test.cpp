@@ -16,8 +16,8 @@
 
 #include "jetlag/scenes/error.hpp"
 #include "scenes/parts.hpp"
+#include "support/problems.hpp"
 #include "support/program.hpp"
-#include "support/scenes_for_tests.hpp"
 
 namespace jetlag {
 void PrintTo(const MethodPage& page, std::ostream* out) { *out << page.name; }

@@ -70,26 +70,9 @@ TEST(AviResonance, BeginsWhereTheFormulaOfTheSoftImpulseSays) {
 
 // ---- the cure ----------------------------------------------------------------------------------------------
 
-/// F = k d, d = x_1 - x_0.
-struct Tie {
-  static constexpr const char* name = "tie";
-  static constexpr int participants = 2;
-  static constexpr std::array parameters{"stiffness"};
-  static constexpr int stiffness_parameter = 0;
-
-  template <class T, int D>
-  static Vector<T, D> force(const Participants<T, D, 2>& p, const T& stiffness) {
-    return stiffness * Vector<T, D>(p.position[1] - p.position[0]);
-  }
-  template <class T, int D>
-  static T energy(const Participants<T, D, 2>& p, const T& stiffness) {
-    return T(0.5) * stiffness * Vector<T, D>(p.position[1] - p.position[0]).squaredNorm();
-  }
-};
-
 /// The largest energy over that of the start, looked at every so often during a million impulses.
 double largest_growth(const ElementSteps& steps, std::uint64_t impulses) {
-  const Scene chain = wall_chain();
+  const Problem chain = wall_chain();
   State<double> state = chain.start;
   state.position(1, 0) += 0.01;
   state.velocity(2, 0) = 0.1;
@@ -109,7 +92,7 @@ TEST(AviResonance, IsAvoidedByStepsThatNestBelowIt) {
   // A hundred periods of the plain steps multiply the motion by 1.02^100 = 7 and more; a million impulses overflow it.
   // Cured, the energy stays within what leapfrog near its limit makes of it: with omega h / 2 = 0.7 the energy that it
   // conserves is 1 - 0.49 of the potential one, so that the total is at most 1/(1 - 0.49) = 1.96 of that of the start.
-  const Scene chain = wall_chain();
+  const Problem chain = wall_chain();
   for (const auto& [h, r] : {std::pair(0.14075, 2), std::pair(0.0615, 5)}) {
     const ElementSteps plain = wall_chain_steps(h, r), cured = without_resonance(chain.system, plain);
     EXPECT_EQ(largest_growth(plain, 1'000'000), HUGE_VAL);
@@ -124,8 +107,8 @@ TEST(AviResonance, IsAvoidedWhereManySoftElementsMakeAMassFast) {
   // steps of 2, together they allow 2/sqrt(14) = .53. At .6 = 8 x .075 they are at .71 pi, and the mass is thrown about.
   System<double> system(1, std::vector<double>(17, 1.0));
   for (int i = 1; i <= 14; ++i) system.fix(i);
-  for (int i = 1; i <= 14; ++i) system.add<Tie>({{0, i}}, {{1.0}});
-  system.add<Tie>({{15, 16}}, {{2.0}});
+  for (int i = 1; i <= 14; ++i) system.add<LinearSpring>({{0, i}}, {{1.0}});
+  system.add<LinearSpring>({{15, 16}}, {{2.0}});
   State<double> start{0.0, Coordinates<double>::Zero(17, 1), Coordinates<double>::Zero(17, 1)};
   start.position(0, 0) = start.position(15, 0) = 0.1;
   EnergyMeter energy(system);
@@ -143,7 +126,7 @@ TEST(AviResonance, IsAvoidedWhereManySoftElementsMakeAMassFast) {
 }
 
 TEST(AviResonance, IsAvoidedAtEveryStepThatLeapfrogCouldTake) {
-  const Scene chain = wall_chain();
+  const Problem chain = wall_chain();
   const double limit = 2 / std::sqrt(103.0);  // of the bound on the frequency
   for (int i = 1; i < 200; ++i) {
     const double h = limit * i / 200.0;

@@ -28,7 +28,7 @@ using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
 /// The relative energy errors at `count` equal times of a run.
-std::vector<double> energy_errors(const Scene& scene, Schedule& schedule, double until, int count) {
+std::vector<double> energy_errors(const Problem& scene, Schedule& schedule, double until, int count) {
   EnergyMeter energy(scene.system);
   const double begin = energy(scene.start).total();
   std::vector<double> errors;
@@ -50,12 +50,12 @@ double largest(const std::vector<double>& errors, double from = 0, double to = 1
 
 // ---- conservation ------------------------------------------------------------------------------------------
 
-double common_period(double f) { return TenMasses::common_period(f); }
+double common_period(double f) { return common_period_of_ten_masses(f); }
 
 TEST(Avi, HasTheEnergyErrorOfTheReferenceWithoutDrift) {
   // At common times up to 2000. Reference: a loop over these two clocks in plain arrays, written without the library; the
   // motion is regular, so that roundings do not grow to 1e-4 of an error. Up to 1e5: `jetlag study avi_drift`.
-  const Scene chain = ten_masses();
+  const Problem chain = ten_masses();
   EnergyMeter energy(chain.system);
   EXPECT_NEAR(energy(chain.start).total(), 0.040064470729897, 1e-15);
   double coarse = 0;
@@ -76,7 +76,7 @@ TEST(Avi, HasTheEnergyErrorOfTheReferenceWithoutDrift) {
 TEST(Avi, KeepsMomentumToRounding) {
   // Impulses on two particles are opposite to the last bit, masses are 1: what remains are roundings of velocities below
   // 0.5, of 5.6e-17 each, in 2 x 315000 updates of a random walk: 4.4e-14.
-  const Scene chain = ten_masses();
+  const Problem chain = ten_masses();
   Avi avi(chain.system, courant_steps(chain.system, 0.1));
   State<double> state = chain.start;
   ASSERT_EQ(avi.run(state, 1e3, {}).outcome, Outcome::success);
@@ -84,7 +84,7 @@ TEST(Avi, KeepsMomentumToRounding) {
 }
 
 TEST(Avi, KeepsAngularMomentumOfSpringsInSpace) {
-  const Scene cube = spring_cube(3);
+  const Problem cube = spring_cube(3);
   Avi avi(cube.system, courant_steps(cube.system, 0.2));
   State<double> state = cube.start;
   ASSERT_EQ(avi.run(state, 100.0, {}).outcome, Outcome::success);
@@ -100,7 +100,7 @@ TEST(Avi, KeepsAngularMomentumOfSpringsInSpace) {
 TEST(Avi, IsLeapfrogWhereAllStepsAreEqual) {
   // The same impulses; leapfrog sums a parabola, this one two halves: 1000 steps of roundings of 1e-16 that grow by
   // t omega = 70 at most.
-  const Scene cube = spring_cube(1);
+  const Problem cube = spring_cube(1);
   State<double> one = cube.start, other = cube.start;
   Avi avi(cube.system, equal_steps(cube.system, 0.01));
   Lockstep leapfrog(std::make_unique<Leapfrog>(cube.system, 0.01));
@@ -114,7 +114,7 @@ TEST(Avi, IsLeapfrogWhereAllStepsAreEqual) {
 
 TEST(Avi, HasOrderTwo) {
   // Errors against degree 20; halving all steps divides them by 4, and by no less than 3.4 of the next order.
-  const Scene cube = spring_cube(2);
+  const Problem cube = spring_cube(2);
   State<double> exact = cube.start;
   Lockstep taylor_20(taylor(cube.system, 20, std::make_unique<FixedStep>(0.05)));
   ASSERT_EQ(taylor_20.run(exact, 3.0, {}).outcome, Outcome::success);
@@ -130,7 +130,7 @@ TEST(Avi, HasOrderTwo) {
 
 TEST(Avi, FollowsAParabolaAtItsClocks) {
   // Free fall: impulses at the ends of steps and halves at both ends are exact for a constant force.
-  const Scene scene = free_fall();
+  const Problem scene = free_fall();
   Avi avi(scene.system, equal_steps(scene.system, 0.125));
   State<double> state = scene.start;
   ASSERT_EQ(avi.run(state, 2.0, {}).outcome, Outcome::success);
@@ -141,10 +141,10 @@ TEST(Avi, FollowsAParabolaAtItsClocks) {
 // ---- cost --------------------------------------------------------------------------------------------------
 
 /// Springs in a row of `pairs`, every tenth one stiffer by `ratio`.
-Scene mixed_chain(double ratio) {
+Problem mixed_chain(double ratio) {
   constexpr int n = 202;
   System<double> system(1, std::vector<double>(n, 1.0));
-  Scene scene{std::move(system), {0.0, Coordinates<double>(n, 1), Coordinates<double>::Zero(n, 1)}};
+  Problem scene{std::move(system), {0.0, Coordinates<double>(n, 1), Coordinates<double>::Zero(n, 1)}};
   std::vector<std::array<int, 2>> pairs;
   std::vector<std::array<double, 1>> stiffness;
   for (int i = 0; i < n; ++i) {
@@ -166,7 +166,7 @@ TEST(Avi, EvaluatesTheSoftElementsLessOften) {
   // At equal energy error less is gained, for the soft elements then have steps as coarse as the stiff ones: the root
   // mean square here is 0.0103 for both ratios, that of leapfrog at fractions of 0.33 and 0.41 of its limit.
   for (const double r : {std::sqrt(10.0), 10.0}) {
-    const Scene chain = mixed_chain(r * r);
+    const Problem chain = mixed_chain(r * r);
     const ElementSteps steps = courant_steps(chain.system, 0.1);
     Avi avi(chain.system, steps);
     Lockstep leapfrog(std::make_unique<Leapfrog>(chain.system, steps[0][5]));
@@ -183,7 +183,7 @@ TEST(Avi, EvaluatesTheSoftElementsLessOften) {
 
 TEST(Avi, EndsAndIsSeenAtAnyTimeWithoutATrace) {
   // A run to 1.23 and on to 3 gives the bits of a run to 3, and so does one that shows frames.
-  const Scene cube = spring_cube(5);
+  const Problem cube = spring_cube(5);
   const ElementSteps steps = courant_steps(cube.system, 0.2);
   State<double> once = cube.start, twice = cube.start, watched = cube.start;
   Avi first(cube.system, steps), second(cube.system, steps), third(cube.system, steps);
@@ -205,7 +205,7 @@ TEST(Avi, EndsAndIsSeenAtAnyTimeWithoutATrace) {
 }
 
 TEST(Avi, LeavesATrajectoryThatMeetsItself) {
-  const Scene cube = spring_cube(5);
+  const Problem cube = spring_cube(5);
   Avi avi(cube.system, courant_steps(cube.system, 0.2));
   State<double> state = cube.start;
   Trajectory motion;
@@ -217,7 +217,7 @@ TEST(Avi, LeavesATrajectoryThatMeetsItself) {
 }
 
 TEST(Avi, TellsTheUpdatesOfEachParticle) {
-  const Scene chain = wall_chain();
+  const Problem chain = wall_chain();
   Avi avi(chain.system, wall_chain_steps(0.125, 2));
   std::vector<double> known_until(4, 0.0);
   RunOptions options;
@@ -252,7 +252,7 @@ TEST(Avi, RefusesForcesWithoutAPotentialInThePositions) {
 }
 
 TEST(Avi, RefusesStepsThatAreNone) {
-  const Scene chain = wall_chain();
+  const Problem chain = wall_chain();
   for (const ElementSteps& steps : {ElementSteps{}, ElementSteps{{0.1}}, ElementSteps{{0.1, 0.0, 0.1}}})
     EXPECT_THROW(Avi(chain.system, steps), std::invalid_argument);
   EXPECT_THROW(courant_steps(chain.system, 1.5), std::invalid_argument);
@@ -260,14 +260,14 @@ TEST(Avi, RefusesStepsThatAreNone) {
 }
 
 TEST(Avi, GivesAConstantForceTheShortestStepOfItsParticle) {
-  Scene chain = wall_chain();
+  Problem chain = wall_chain();
   chain.system.add<UniformField>({{1}, {2}}, {{-9.8, 0.0, 0.0}});
   const ElementSteps steps = courant_steps(chain.system, 0.1);
   EXPECT_THAT(steps[1], ElementsAre(steps[0][0], steps[0][1]));
 }
 
 TEST(Avi, ReportsAMotionThatBlowsUpAndKeepsItsLastGoodState) {
-  const Scene chain = wall_chain();
+  const Problem chain = wall_chain();
   Avi avi(chain.system, equal_steps(chain.system, 1.0));  // five times the limit
   State<double> state = chain.start;
   state.velocity(1, 0) = 0.1;
@@ -279,7 +279,7 @@ TEST(Avi, ReportsAMotionThatBlowsUpAndKeepsItsLastGoodState) {
 }
 
 TEST(Avi, StopsAtTheLargestNumberOfStepsAndWhenAsked) {
-  const Scene chain = wall_chain();
+  const Problem chain = wall_chain();
   RunOptions options;
   options.max_steps = 6;
   State<double> state = chain.start;

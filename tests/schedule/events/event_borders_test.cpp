@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "jetlag/forces/uniform_field.hpp"
 #include "jetlag/schedule/events.hpp"
 #include "schedule/events/events_for_tests.hpp"
 
@@ -22,18 +23,18 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 
 TEST(Events, AtTheEndOfAStepAreFoundOnce) {
   // x = t - 1 in steps of 1/8 is zero where two steps meet, without rounding; a run may end there too.
-  const Scene scene = free_particle(-1.0, 1.0);
+  const Problem scene = free_particle(-1.0, 1.0);
   EXPECT_EQ(hits_of(scene, in_steps(scene, 0.125), {level(0.0)}, 2.0).size(), 1u);
   EXPECT_EQ(hits_of(scene, in_steps(scene, 0.125), {level(0.0)}, 2.0)[0].time, 1.0);
   ASSERT_EQ(hits_of(scene, in_steps(scene, 0.125), {level(0.0)}, 1.0).size(), 1u);
-  const Scene after = free_particle(0.0, 1.0);
+  const Problem after = free_particle(0.0, 1.0);
   EXPECT_THAT(hits_of(after, in_steps(after, 0.125), {level(0.0)}, 1.0), IsEmpty());
 }
 
 TEST(Events, WithinRoundingOfTheEndOfAStepAreFoundOnce) {
   // Levels are what an oscillator has at the ends of its steps, and the doubles beside it: by rounding the polynomials
   // cross before the end or after it. One run finds each once; so do two runs that part there, together.
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   for (const int degree : {8, 20})
     for (int step = 1; step <= 10; ++step) {  // cos t falls until t = pi > 3
       State<double> there = scene.start;
@@ -58,7 +59,7 @@ TEST(Events, WithinRoundingOfTheEndOfAStepAreFoundOnce) {
 TEST(Events, AreCountedWhateverHappensAtTheEndsOfSteps) {
   // As above in steps of 5/2, where a level is often crossed within the step and again at its end: as often in (0, 26)
   // as cos t = level, t = 2 pi m +- acos(level).
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   for (int step = 1; step <= 10; ++step) {
     State<double> there = scene.start;
     ASSERT_EQ(in_steps(scene, 2.5, 30).run(there, 2.5 * step, {}).outcome, Outcome::success);
@@ -76,13 +77,13 @@ TEST(Events, AreCountedWhateverHappensAtTheEndsOfSteps) {
 
 TEST(Events, DoNotFireWhereARunBeginsOnThem) {
   for (const double velocity : {1.0, -1.0}) {
-    const Scene scene = free_particle(0.5, velocity);
+    const Problem scene = free_particle(0.5, velocity);
     EXPECT_THAT(hits_of(scene, in_steps(scene, 0.25), {level(0.5)}, 1.0), IsEmpty());
   }
 }
 
 /// Thrown up from 0 at speed v, falling with g: the top is v^2 / (2g), after v / g.
-Scene thrown(double v, double g) {
+Problem thrown(double v, double g) {
   System<double> system(1, {1.0});
   system.add<UniformField>({{0}}, {{-g, 0.0, 0.0}});
   return {std::move(system), {0.0, Coordinates<double>::Zero(1, 1), Coordinates<double>::Constant(1, 1, v)}};
@@ -92,7 +93,7 @@ TEST(Events, DoNotFireWhereTheMotionTouches) {
   // Within a step, and where steps meet without rounding; 1e-12 below the top there are two crossings.
   for (const auto& [v, g, step] :
        {std::array{1.0, 3.0, 1.5}, {2.0, 2.0, 1.5}, {0.7, 9.81, 1.5}, {2.0, 2.0, 0.25}}) {
-    const Scene scene = thrown(v, g);
+    const Problem scene = thrown(v, g);
     const double top = v * v / (2 * g);
     EXPECT_THAT(hits_of(scene, in_steps(scene, step), {level(top)}, 1.5), IsEmpty()) << g << ", " << step;
     EXPECT_EQ(hits_of(scene, in_steps(scene, step), {level(top - 1e-12)}, 1.5).size(), 2u)
@@ -102,7 +103,7 @@ TEST(Events, DoNotFireWhereTheMotionTouches) {
 }
 
 TEST(Events, DoNotFireWhereNothingMoves) {
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   const Event zero{.name = "zero",
                    .g = [](const auto&, const auto& x, const auto&) { return x(0, 0) - x(0, 0); }};
   const Event constant{.name = "constant", .g = [](const auto&, const auto&, const auto&) { return 0.0; }};

@@ -25,7 +25,7 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double pi = std::numbers::pi;
 
 TEST(Events, EndARunWhereTheyAreTerminal) {
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   std::vector<EventHit> hits;
   int steps = 0;
   RunOptions options;
@@ -58,7 +58,7 @@ TEST(Events, EndARunWhereTheyAreTerminal) {
 TEST(Events, EndARunOnceWhereverRoundingPutsThem) {
   // A terminal event at levels all over the swing, passed 20 times each way: state after state is on the new side,
   // or on the event.
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   for (const double height : {-0.99, -0.3, 0.0, 0.1, 0.77, 0.999}) {
     RunOptions options;
     options.events = {level(height)};
@@ -80,7 +80,7 @@ TEST(Events, EndARunOnceWhereverRoundingPutsThem) {
 
 TEST(Events, SayWhereTheirFunctionDoesNotExist) {
   // sqrt(x) beyond x = 0, at t = pi/2, and log from the start: the state before that step is left.
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   const Event root{.name = "root",
                    .g = [](const auto&, const auto& x, const auto&) { return sqrt(x(0, 0)) - 2.0; }};
   const Event log_of{.name = "log",
@@ -101,7 +101,7 @@ TEST(Events, SayWhereTheirFunctionDoesNotExist) {
 }
 
 TEST(Events, MayEndARunBeforeTheirFunctionCeasesToExist) {
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   RunOptions options;
   options.events = {
       {.name = "root", .g = [](const auto&, const auto& x, const auto&) { return sqrt(x(0, 0)) - 0.01; }}};
@@ -113,7 +113,7 @@ TEST(Events, MayEndARunBeforeTheirFunctionCeasesToExist) {
 }
 
 TEST(Events, RefuseWhatDoesNotExist) {
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   RunOptions options;
   options.events = {level(0.0),
                     {.name = "other", .g = [](const auto&, const auto& x, const auto&) { return x(1, 0); }}};

@@ -13,11 +13,11 @@
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/schedule/events.hpp"
 #include "jetlag/schedule/lockstep.hpp"
-#include "support/scenes_for_tests.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 
-inline Lockstep in_steps(const Scene& scene, double step, int degree = 20) {
+inline Lockstep in_steps(const Problem& scene, double step, int degree = 20) {
   return Lockstep(taylor(scene.system, degree, std::make_unique<FixedStep>(step)));
 }
 
@@ -29,7 +29,7 @@ inline Event level(double height, Direction direction = Direction::any) {
 }
 
 /// What a run to `until` hits.
-inline std::vector<EventHit> hits_of(const Scene& scene, Lockstep schedule, std::vector<Event> events,
+inline std::vector<EventHit> hits_of(const Problem& scene, Lockstep schedule, std::vector<Event> events,
                                      double until) {
   std::vector<EventHit> hits;
   RunOptions options;
@@ -42,7 +42,7 @@ inline std::vector<EventHit> hits_of(const Scene& scene, Lockstep schedule, std:
 }
 
 /// A free particle on a line: x = position + velocity t, without rounding at these numbers.
-inline Scene free_particle(double position, double velocity) {
+inline Problem free_particle(double position, double velocity) {
   return {
       System<double>(1, {1.0}),
       {0.0, Coordinates<double>::Constant(1, 1, position), Coordinates<double>::Constant(1, 1, velocity)}};

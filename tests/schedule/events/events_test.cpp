@@ -31,7 +31,7 @@ constexpr double pi = std::numbers::pi;
 TEST(Events, OfAnOscillatorAreAtTheZerosOfTheCosine) {
   // Each of n steps rounds x and v by less than eps (trajectory_test.cpp): a phase of at most sqrt(2) n eps; a time is
   // rounded to ulp(t).
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   const auto hits = hits_of(scene, in_steps(scene, 0.3), {level(0.0)}, 100.0);
   ASSERT_EQ(hits.size(), 32u);
   for (std::size_t k = 0; k < hits.size(); ++k) {
@@ -46,7 +46,7 @@ TEST(Events, OfAnOscillatorAreAtTheZerosOfTheCosine) {
 
 TEST(Events, AreWithinOneUlpOfTime) {
   // The polynomial of the step, evaluated in 50 digits, changes sign between the double before the time and the time.
-  const Scene scene = spring_cube(1);
+  const Problem scene = spring_cube(1);
   std::vector<EventHit> hits;
   std::vector<Piece> pieces;
   RunOptions options;
@@ -76,7 +76,7 @@ TEST(Events, AreWithinOneUlpOfTime) {
 }
 
 TEST(Events, MayCountOneDirectionOnly) {
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   const auto rising = hits_of(scene, in_steps(scene, 0.3), {level(0.5, Direction::rising)}, 20.0);
   const auto falling = hits_of(scene, in_steps(scene, 0.3), {level(0.5, Direction::falling)}, 20.0);
   ASSERT_EQ(rising.size(), 3u);
@@ -89,7 +89,7 @@ TEST(Events, OfKeplerAreTheApsides) {
   // x . v = 0 at k pi: rising at the pericentre. The mean anomaly drifts by 3/2 t |dE/E|, E as measured, and each of n
   // steps rounds x and v by a few eps/2 of their size, which is at most 4 eps of time (r/v = 2.6 at the apocentre).
   // g itself, of size 1/2 with slope 1/3 or more, is known to 40 eps.
-  const Scene scene = planet(0.5);
+  const Problem scene = planet(0.5);
   Lockstep schedule(taylor(scene.system, 20, std::make_unique<JorbaZou>()));
   std::vector<EventHit> hits;
   RunOptions options;
@@ -119,7 +119,7 @@ TEST(Events, MakeAPoincareSection) {
   // x = cos t, y = sin(sqrt(2) t): y = 0 upwards at t_k = 2 pi k / sqrt(2), where x = cos t_k.
   System<double> system(1, {1.0, 1.0});
   system.add<Tether>({{0}, {1}}, {{1.0}, {2.0}});
-  Scene scene{std::move(system), {0.0, Coordinates<double>(2, 1), Coordinates<double>(2, 1)}};
+  Problem scene{std::move(system), {0.0, Coordinates<double>(2, 1), Coordinates<double>(2, 1)}};
   scene.start.position << 1.0, 0.0;
   scene.start.velocity << 0.0, std::numbers::sqrt2;
   const auto hits = hits_of(scene, in_steps(scene, 0.25),
@@ -137,7 +137,7 @@ TEST(Events, MakeAPoincareSection) {
 
 TEST(Events, ResolveTwoCrossingsCloseTogether) {
   // Near its turning point: cos t = 1 - 1e-9 before and after 2 pi, 9e-5 apart.
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   const double half = 2 * std::asin(std::sqrt(0.5e-9));
   const auto hits = hits_of(scene, in_steps(scene, 0.3), {level(1 - 1e-9)}, 7.0);
   ASSERT_EQ(hits.size(), 3u);
@@ -151,7 +151,7 @@ TEST(Events, ResolveTwoCrossingsCloseTogether) {
 TEST(Events, AreFoundWhereAStepIsTooLongForThem) {
   // A free particle passes the circle |x| = 1 in one step of 1000 s, in which sqrt(x^2 + y^2) has no series: x = t -
   // 500, y = 1/2, |x| = 1 at 500 -+ sqrt(3)/2. x is exact, y^2 + x^2 = 1 to eps at a slope of sqrt(3).
-  Scene scene{System<double>(2, {1.0}), {0.0, Coordinates<double>(1, 2), Coordinates<double>(1, 2)}};
+  Problem scene{System<double>(2, {1.0}), {0.0, Coordinates<double>(1, 2), Coordinates<double>(1, 2)}};
   scene.start.position << -500.0, 0.5;
   scene.start.velocity << 1.0, 0.0;
   const auto hits =
@@ -166,7 +166,7 @@ TEST(Events, AreFoundWhereAStepIsTooLongForThem) {
 }
 
 TEST(Events, ComeInOrderOfTimeThenOfNumber) {
-  const Scene scene = free_particle(0.0, 1.0);
+  const Problem scene = free_particle(0.0, 1.0);
   const auto at = [](double x) { return level(x); };
   const auto hits = hits_of(scene, in_steps(scene, 4.0), {at(2.0), at(1.0), at(0.5), at(1.0), at(3.0)}, 3.5);
   std::vector<int> order;
@@ -177,7 +177,7 @@ TEST(Events, ComeInOrderOfTimeThenOfNumber) {
 TEST(Events, KeepTheClock) {
   // At 1e9 a double has steps of 1.2e-7. Here every step is cut at an event, which must not shift the clock: the motion
   // ends after exactly 10, but for 700 roundings and the method.
-  Scene scene = oscillator();
+  Problem scene = oscillator();
   scene.start.time = 1e9;
   std::vector<EventHit> hits;
   RunOptions options;
@@ -194,7 +194,7 @@ TEST(Events, KeepTheClock) {
 }
 
 TEST(Events, CallWhoAsked) {
-  const Scene scene = free_particle(0.0, 1.0);
+  const Problem scene = free_particle(0.0, 1.0);
   std::vector<double> times;
   Event event = level(0.75);
   event.callback = [&](const EventHit& hit) {
@@ -215,7 +215,7 @@ TEST(Events, CallWhoAsked) {
 
 TEST(Events, WorkOnPiecesOfLowOrder) {
   // Leapfrog of step h: the phase is off by h^2/24 of t. Its pieces join to rounding, so each zero is found once.
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   const auto hits =
       hits_of(scene, Lockstep(std::make_unique<Leapfrog>(scene.system, 0.01)), {level(0.0)}, 50.0);
   ASSERT_EQ(hits.size(), 16u);

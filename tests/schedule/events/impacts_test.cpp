@@ -12,12 +12,13 @@
 
 #include "jetlag/control/fixed_step.hpp"
 #include "jetlag/control/jorba_zou.hpp"
+#include "jetlag/forces/uniform_field.hpp"
 #include "jetlag/integrators/explicit/leapfrog.hpp"
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/schedule/events.hpp"
 #include "jetlag/schedule/lockstep.hpp"
 #include "jetlag/schedule/record.hpp"
-#include "support/scenes_for_tests.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -29,7 +30,7 @@ using ::testing::ThrowsMessage;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
 /// A ball that falls from height 1 with g.
-Scene ball(double g) {
+Problem ball(double g) {
   System<double> system(1, {1.0});
   system.add<UniformField>({{0}}, {{-g, 0.0, 0.0}});
   return {std::move(system),
@@ -43,7 +44,7 @@ Event floor_at(double height, double restitution, Direction direction = Directio
           .change = [restitution](State<double>& state) { state.velocity(0, 0) *= -restitution; }};
 }
 
-Lockstep in_steps(const Scene& scene, double step) {
+Lockstep in_steps(const Problem& scene, double step) {
   return Lockstep(taylor(scene.system, 4, std::make_unique<FixedStep>(step)));
 }
 
@@ -58,7 +59,7 @@ TEST(Impacts, OfABallComeAtTheTimesOfTheClosedForm) {
   // rounded: the flight after it errs by as much. Errors of the speed go on, so that flight k is off by k eps of
   // itself; each step rounds too, of which the longest flight, a tenth of all, takes until / step / 10.
   const double g = 9.81, r = 0.9;
-  const Scene scene = ball(g);
+  const Problem scene = ball(g);
   for (const double step : {0.01, 0.3, 20.0})
     for (const Direction direction : {Direction::falling, Direction::any}) {
       std::vector<EventHit> hits;
@@ -80,7 +81,7 @@ TEST(Impacts, OfABallComeAtTheTimesOfTheClosedForm) {
 
 TEST(Impacts, OfATerminalEventMayBeMadeByTheCaller) {
   const double g = 9.81, r = 0.9;
-  const Scene scene = ball(g);
+  const Problem scene = ball(g);
   RunOptions options;
   options.events = {floor_at(0.0, r)};
   options.events[0].change = {};
@@ -97,7 +98,7 @@ TEST(Impacts, OfATerminalEventMayBeMadeByTheCaller) {
 TEST(Impacts, KeepTheEnergyOfAnElasticBall) {
   // 1000 impacts: height and speed are rounded at each, and g times the height below the floor is not lost.
   const double g = 2.0;
-  const Scene scene = ball(g);
+  const Problem scene = ball(g);
   std::vector<EventHit> hits;
   RunOptions options;
   options.events = {floor_at(0.0, 1.0)};
@@ -129,7 +130,7 @@ TEST(Impacts, ThatAccumulateEndTheRun) {
     for (const Direction direction : {Direction::falling, Direction::any}) {
       const double first = std::sqrt(2 * (1 - height) / g), rest = first * (1 + r) / (1 - r);
       const double most = std::log(0x1p-36 * rest / (2 * first)) / std::log(r) + 100;
-      const Scene scene = ball(g);
+      const Problem scene = ball(g);
       std::vector<EventHit> hits;
       RunOptions options;
       options.events = {floor_at(0.0, r, direction)};
@@ -151,7 +152,7 @@ TEST(Impacts, ThatAccumulateEndTheRun) {
 
 TEST(Impacts, AtTheSameTimeAreAllMade) {
   // Into a corner along its diagonal: both walls, in the order of their numbers, and back where it came from.
-  Scene scene{System<double>(2, {1.0}), {0.0, Coordinates<double>(1, 2), Coordinates<double>(1, 2)}};
+  Problem scene{System<double>(2, {1.0}), {0.0, Coordinates<double>(1, 2), Coordinates<double>(1, 2)}};
   scene.start.position << 1.0, 1.0;
   scene.start.velocity << -1.0, -1.0;
   std::vector<EventHit> hits;
@@ -175,8 +176,8 @@ TEST(Impacts, AtTheSameTimeAreAllMade) {
 TEST(Impacts, JumpWithoutFiring) {
   // A sawtooth: x grows with speed 1 and is put back to 0 at 1; the jump passes 1/2 downwards, which is no crossing.
   for (const double step : {0.375, 20.0}) {
-    Scene scene{System<double>(1, {1.0}),
-                {0.0, Coordinates<double>::Zero(1, 1), Coordinates<double>::Ones(1, 1)}};
+    Problem scene{System<double>(1, {1.0}),
+                  {0.0, Coordinates<double>::Zero(1, 1), Coordinates<double>::Ones(1, 1)}};
     std::vector<EventHit> hits;
     RunOptions options;
     options.events = {
@@ -198,7 +199,7 @@ TEST(Impacts, JumpWithoutFiring) {
 }
 
 TEST(Impacts, LeaveATrajectoryThatKnowsBothSides) {
-  const Scene scene = ball(2.0);  // T_0 = 1
+  const Problem scene = ball(2.0);  // T_0 = 1
   Trajectory trajectory;
   RunOptions options;
   options.events = {floor_at(0.0, 0.5)};
@@ -214,7 +215,7 @@ TEST(Impacts, LeaveATrajectoryThatKnowsBothSides) {
 TEST(Impacts, WorkWithLeapfrog) {
   // Exact in free fall: its steps are parabolas.
   const double g = 9.81, r = 0.9;
-  const Scene scene = ball(g);
+  const Problem scene = ball(g);
   std::vector<EventHit> hits;
   RunOptions options;
   options.events = {floor_at(0.0, r)};
@@ -227,7 +228,7 @@ TEST(Impacts, WorkWithLeapfrog) {
 }
 
 TEST(Impacts, MustKeepTimeAndShape) {
-  const Scene scene = ball(2.0);
+  const Problem scene = ball(2.0);
   RunOptions options;
   options.events = {floor_at(0.0, 1.0)};
   State<double> state = scene.start;

@@ -20,29 +20,15 @@ using ::testing::ThrowsMessage;
 
 constexpr Qss::Options coarse{.order = 2, .quantum = 1e-3, .velocity_quantum = 1e-3};
 
-/// F = cos t: changes where no state does.
-struct Shaken {
-  static constexpr const char* name = "shaken";
-  static constexpr int participants = 1;
-  static constexpr std::array<const char*, 0> parameters{};
-
-  template <class T, int D>
-  static Vector<T, D> force(const Participants<T, D, 1>& p) {
-    using std::cos;
-    Vector<T, D> f = p.position[0] * T(0.0);
-    f[0] = f[0] + cos(p.time);
-    return f;
-  }
-};
-
-Scene shaken() {
+/// Pushed by cos t, which changes where no state does.
+Problem shaken() {
   System<double> system(1, {1.0});
-  system.add<Shaken>({{0}}, {});
+  system.add<Shaker>({{0}}, {{1.0}});
   return {std::move(system), {0.0, Coordinates<double>::Zero(1, 1), Coordinates<double>::Zero(1, 1)}};
 }
 
 /// Flies at 1 m/s from 1 m onto a floor of stiffness 100 at 0: back at 1 m after 2 + pi / 10 s.
-Scene bounce() {
+Problem bounce() {
   System<double> system(1, {1.0});
   system.add<Floor>({{0}}, {{100.0, 0.0, 1.0, 0.0, 0.0}});
   return {std::move(system),
@@ -51,7 +37,7 @@ Scene bounce() {
 
 TEST(Qss, EndsAndIsSeenAtAnyTimeWithoutATrace) {
   // A run to 1.23 and on to 3 gives the bits of a run to 3, and so does one that shows frames.
-  const Scene cube = spring_cube(5);
+  const Problem cube = spring_cube(5);
   State<double> once = cube.start, twice = cube.start, watched = cube.start;
   Qss first(cube.system, coarse), second(cube.system, coarse), third(cube.system, coarse);
   ASSERT_EQ(first.run(once, 3.0, {}).outcome, Outcome::success);
@@ -72,7 +58,7 @@ TEST(Qss, EndsAndIsSeenAtAnyTimeWithoutATrace) {
 }
 
 TEST(Qss, LeavesATrajectoryThatMeetsItself) {
-  const Scene cube = spring_cube(5);
+  const Problem cube = spring_cube(5);
   Qss qss(cube.system, coarse);
   State<double> state = cube.start;
   Trajectory motion;
@@ -87,7 +73,7 @@ TEST(Qss, LeavesATrajectoryThatMeetsItself) {
 }
 
 TEST(Qss, TellsTheUpdatesOfEachParticle) {
-  Scene cube = spring_cube(5);
+  Problem cube = spring_cube(5);
   cube.system.fix(3);
   cube.start.velocity.row(3).setZero();
   Qss qss(cube.system, coarse);
@@ -108,7 +94,7 @@ TEST(Qss, TellsTheUpdatesOfEachParticle) {
 TEST(Qss, StartsAtAnyTime) {
   // Times before 0 are in order too: the same events from -1024 as from 0, each to the last place of its time, 2^-43,
   // which moves a state by less than 1e-12.
-  Scene late = spring_cube(5);
+  Problem late = spring_cube(5);
   State<double> from_0 = late.start, before_0 = late.start;
   before_0.time = -1024;
   Qss one(late.system, coarse), other(late.system, coarse);
@@ -121,7 +107,7 @@ TEST(Qss, StartsAtAnyTime) {
 TEST(Qss, FollowsForcesOfTheTimeAndFloorsByItsLongestStep) {
   // v = sin t, x = 1 - cos t. The force is expanded every 0.01 s to order 1: cos t is known to 0.01^2 / 2, and the
   // states to a quantum and the growth of its errors over 3 s.
-  Scene scene = shaken();
+  Problem scene = shaken();
   Qss::Options options = coarse;
   options.quantum = options.velocity_quantum = 1e-5;
   options.max_step = 0.01;
@@ -149,7 +135,7 @@ TEST(Qss, RefusesForcesThatChangeUnnoticed) {
 }
 
 TEST(Qss, RefusesOptionsOutOfRange) {
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   using Options = Qss::Options;
   for (const Options& bad :
        {Options{.order = 0, .quantum = 1, .velocity_quantum = 1},
@@ -168,7 +154,7 @@ TEST(Qss, RefusesOptionsOutOfRange) {
 }
 
 TEST(Qss, SaysWhereTheForceIsSingular) {
-  const Scene coincident = falling_together(0.0);
+  const Problem coincident = falling_together(0.0);
   Qss qss(coincident.system, coarse);
   State<double> state = coincident.start;
   const Report report = qss.run(state, 1.0, {});
@@ -197,7 +183,7 @@ TEST(Qss, EndsWhereAMotionBlowsUp) {
 
 TEST(Qss, SaysWhereEventsNoLongerChangeTheTime) {
   // At 1e9 s the last place of the time is 1.2e-7 s, in which the velocity changes by 1.2e-7 > dQ.
-  Scene scene = oscillator();
+  Problem scene = oscillator();
   scene.start.time = 1e9;
   Qss qss(scene.system, {.order = 1, .quantum = 1e-9, .velocity_quantum = 1e-9});
   State<double> state = scene.start;
@@ -209,7 +195,7 @@ TEST(Qss, SaysWhereEventsNoLongerChangeTheTime) {
 }
 
 TEST(Qss, StopsAtTheLargestNumberOfStepsAndWhereAsked) {
-  const Scene cube = spring_cube(5);
+  const Problem cube = spring_cube(5);
   Qss qss(cube.system, coarse);
   State<double> state = cube.start;
   RunOptions options;

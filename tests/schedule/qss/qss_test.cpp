@@ -12,10 +12,11 @@
 #include <vector>
 
 #include "jetlag/control/fixed_step.hpp"
+#include "jetlag/forces/drag.hpp"
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/model/energy.hpp"
 #include "jetlag/schedule/lockstep.hpp"
-#include "support/scenes_for_tests.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -23,20 +24,20 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 /// v' = -v from 1. The position is free: its quantum is never crossed.
-Scene decay() {
+Problem decay() {
   System<double> system(1, {1.0});
   system.add<Drag>({{0}}, {{1.0}});
   return {std::move(system), {0.0, Coordinates<double>::Zero(1, 1), Coordinates<double>::Ones(1, 1)}};
 }
 
-Qss of_velocity(const Scene& scene, int order, double quantum) {
+Qss of_velocity(const Problem& scene, int order, double quantum) {
   return {scene.system, {.order = order, .quantum = 1e9, .velocity_quantum = quantum}};
 }
-Qss of_both(const Scene& scene, int order, double quantum) {
+Qss of_both(const Problem& scene, int order, double quantum) {
   return {scene.system, {.order = order, .quantum = quantum, .velocity_quantum = quantum}};
 }
 
-std::uint64_t events_until(Qss qss, const Scene& scene, double until) {
+std::uint64_t events_until(Qss qss, const Problem& scene, double until) {
   State<double> state = scene.start;
   EXPECT_EQ(qss.run(state, until, {}).outcome, Outcome::success);
   return qss.work().steps;
@@ -44,7 +45,7 @@ std::uint64_t events_until(Qss qss, const Scene& scene, double until) {
 
 /// The slope of the number of events over the quantum, both in logarithms.
 template <class Make>
-double slope(const Make& make, const Scene& scene, int order, double coarse, double fine, double until) {
+double slope(const Make& make, const Problem& scene, int order, double coarse, double fine, double until) {
   const auto few = static_cast<double>(events_until(make(scene, order, coarse), scene, until)),
              many = static_cast<double>(events_until(make(scene, order, fine), scene, until));
   return std::log(many / few) / std::log(fine / coarse);
@@ -57,7 +58,7 @@ TEST(Qss, StaysWithinAQuantumOfADecayForAllTime) {
   // interval between two events, and long after all has come to rest.
   for (const int order : {1, 2, 3})
     for (const double quantum : {1e-2, 1e-4}) {
-      const Scene scene = decay();
+      const Problem scene = decay();
       Qss qss = of_velocity(scene, order, quantum);
       double worst = 0;
       RunOptions options;
@@ -79,7 +80,7 @@ TEST(Qss, StaysWithinAQuantumOfADecayForAllTime) {
 TEST(Qss, ErrorsOnAPlanetAreProportionalToTheQuantum) {
   // Kepler e = 0.3 at t = 2, where an error of a state has grown about threefold: nonlinear forces, expanded along q.
   // QSS1 7.1 quanta, QSS2 2.0, QSS3 3.1.
-  const Scene scene = planet(0.3);
+  const Problem scene = planet(0.3);
   const KeplerPoint truth = kepler(0.3, 2.0);
   for (const int order : {1, 2, 3})
     for (const double quantum : {1e-3, 1e-4, 1e-5}) {
@@ -96,7 +97,7 @@ TEST(Qss, ErrorsOnAPlanetAreProportionalToTheQuantum) {
 TEST(Qss, ErrorsOnANetworkAreProportionalToTheQuantum) {
   // Eight particles, 28 springs and drag at t = 2, against degree 20: forces between others are shifted, not renewed.
   // The largest errors are 3.3, 2.3 and 1.8 quanta.
-  Scene cube = spring_cube(2);
+  Problem cube = spring_cube(2);
   cube.system.add<Drag>({{0}, {3}, {7}}, {{0.5}});
   State<double> exact = cube.start;
   Lockstep taylor_20(taylor(cube.system, 20, std::make_unique<FixedStep>(0.05)));
@@ -117,7 +118,7 @@ TEST(Qss, ErrorsOnANetworkAreProportionalToTheQuantum) {
 
 TEST(Qss, OfOrderOneDecaysInAHundredEvents) {
   // From q to q - dQ on a line of slope -q: 99 events from 1 to 0.01, one to 0, none after it.
-  const Scene scene = decay();
+  const Problem scene = decay();
   Qss qss = of_velocity(scene, 1, 0.01);
   std::uint64_t to_one_percent = 0;
   RunOptions options;
@@ -135,7 +136,7 @@ TEST(Qss, OfOrderOneDecaysInAHundredEvents) {
 TEST(Qss, CountsEventsByTheRootOfTheQuantum) {
   // dQ^(-1/n) on the decay up to t = 2 and on an oscillator for two periods. Counts above 30 are within one event of a
   // smooth law: 0.04 of the slope over a factor of 1000 and less. Velocities that have come to rest would add theirs.
-  const Scene line = decay(), spring = oscillator();
+  const Problem line = decay(), spring = oscillator();
   for (const auto& [order, coarse, fine] :
        {std::tuple(1, 1e-2, 1e-4), std::tuple(2, 1e-4, 1e-7), std::tuple(3, 1e-5, 1e-9)}) {
     EXPECT_NEAR(slope(of_velocity, line, order, coarse, fine, 2.0), -1.0 / order, 0.1) << order;
@@ -146,7 +147,7 @@ TEST(Qss, CountsEventsByTheRootOfTheQuantum) {
 TEST(Qss, HasNoEventsWhereThePolynomialsAreExact) {
   // Free fall: q_v = v_0 + g t is known to QSS2 as it is, and so is q_x to QSS3. QSS2 then only requantizes positions,
   // every sqrt(2 dQ / |g_c|) of each component: 2.5 s sqrt(|g_c| / (2 dQ)) = 250 sqrt(0.5 g_c) of them.
-  const Scene scene = free_fall();
+  const Problem scene = free_fall();
   for (const int order : {2, 3}) {
     Qss qss = of_both(scene, order, 1e-4);
     State<double> state = scene.start;
@@ -164,7 +165,7 @@ TEST(Qss, HasNoEventsWhereThePolynomialsAreExact) {
 TEST(Qss, OfOrderOneGainsEnergyOnAnOscillator) {
   // Without damping the bound is infinite. x' = v + (q_v - v): where v rises q_v lags below it. Per period the energy
   // gains the same share to first order in dQ, 8.0 dQ: after 10 periods 80 dQ.
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   EnergyMeter energy(scene.system);
   for (const double quantum : {1e-3, 2e-4}) {
     Qss qss = of_both(scene, 1, quantum);
@@ -182,7 +183,7 @@ TEST(Qss, OfOrderOneGainsEnergyOnAnOscillator) {
 
 TEST(Qss, OfHigherOrdersKeepsTheEnergyToSomeQuanta) {
   // QSS2 by at most 10 quanta in 10 periods, QSS3 loses 4 quanta in each: measured, and the reason to say so.
-  const Scene scene = oscillator();
+  const Problem scene = oscillator();
   EnergyMeter energy(scene.system);
   const auto change = [&](int order, double quantum) {
     Qss qss = of_both(scene, order, quantum);
@@ -199,7 +200,7 @@ TEST(Qss, OfHigherOrdersKeepsTheEnergyToSomeQuanta) {
 TEST(Qss, KeepsMomentumToRounding) {
   // A pair acts by one polynomial: what remains are some 1e4 roundings of velocities below 1, of 1.1e-16, in a random
   // walk.
-  const Scene cube = spring_cube(1);
+  const Problem cube = spring_cube(1);
   for (const int order : {1, 2, 3}) {
     Qss qss = of_both(cube, order, 1e-3);
     State<double> state = cube.start;

@@ -21,7 +21,7 @@ using ::testing::ThrowsMessage;
 
 TEST(SubcyclingClocks, SeesNobodyOutsideTheStepOfItsOwn) {
   // Whenever a particle is updated, at t, every other one's step has begun by t and does not end before t.
-  const Scene cube = spring_cube(3);
+  const Problem cube = spring_cube(3);
   const double h = 0.01;
   const ParticleSteps steps{h, h * std::numbers::phi,  h * std::numbers::e, 3 * h, h * 7.0 / 3, 2.5 * h,
                             h, h * std::numbers::sqrt2};
@@ -64,7 +64,7 @@ TEST(SubcyclingClocks, RingTogetherAtWholeRatiosHoweverLong) {
 
 TEST(SubcyclingClocks, EndsAndIsSeenAtAnyTimeWithoutATrace) {
   // A run to 1.23 and on to 3 gives the bits of a run to 3, and so does one that shows frames.
-  const Scene cube = spring_cube(5);
+  const Problem cube = spring_cube(5);
   const ParticleSteps steps = courant_steps_of_particles(cube.system, 0.2);
   State<double> once = cube.start, twice = cube.start, watched = cube.start;
   Subcycling first(cube.system, steps), second(cube.system, steps), third(cube.system, steps);
@@ -86,7 +86,7 @@ TEST(SubcyclingClocks, EndsAndIsSeenAtAnyTimeWithoutATrace) {
 }
 
 TEST(SubcyclingClocks, LeavesATrajectoryThatMeetsItself) {
-  const Scene cube = spring_cube(5);
+  const Problem cube = spring_cube(5);
   Subcycling method(cube.system, courant_steps_of_particles(cube.system, 0.2));
   State<double> state = cube.start;
   Trajectory motion;
@@ -98,7 +98,7 @@ TEST(SubcyclingClocks, LeavesATrajectoryThatMeetsItself) {
 
 TEST(SubcyclingClocks, EvaluatesWhatActsOnTheParticlesOfAClock) {
   // Of three springs two act on A at every step, two on B at every fourth; and all at the beginning, for both.
-  const Scene chain = wall_chain();
+  const Problem chain = wall_chain();
   Subcycling method(chain.system, coarse_b(0.125, 4));
   State<double> state = chain.start;
   ASSERT_EQ(method.run(state, 2.0, {}).outcome, Outcome::success);
@@ -118,7 +118,7 @@ TEST(SubcyclingClocks, RefusesForcesThatDependOnVelocities) {
 }
 
 TEST(SubcyclingClocks, RefusesStepsThatAreNone) {
-  const Scene chain = wall_chain();
+  const Problem chain = wall_chain();
   for (const ParticleSteps& steps :
        {ParticleSteps{}, ParticleSteps{0.1}, ParticleSteps{0.1, 0.0, 0.1, 0.1},
         ParticleSteps{0.1, -1.0, 0.1, 0.1}, ParticleSteps{0.1, HUGE_VAL, 0.1, 0.1}})
@@ -129,7 +129,7 @@ TEST(SubcyclingClocks, RefusesStepsThatAreNone) {
 }
 
 TEST(SubcyclingClocks, RefusesEvents) {
-  const Scene chain = wall_chain();
+  const Problem chain = wall_chain();
   Subcycling method(chain.system, coarse_b(0.1, 2));
   State<double> state = chain.start;
   RunOptions options;
@@ -148,7 +148,7 @@ TEST(SubcyclingClocks, TakesAShareOfTheLimitOfEachParticle) {
 }
 
 TEST(SubcyclingClocks, ReportsAMotionThatBlowsUpAndKeepsItsLastGoodState) {
-  const Scene chain = wall_chain();
+  const Problem chain = wall_chain();
   Subcycling method(chain.system, coarse_b(1.0, 1.5));  // five times the limit
   State<double> state = chain.start;
   state.velocity(1, 0) = 0.1;
@@ -165,7 +165,7 @@ TEST(SubcyclingClocks, ReportsAMotionThatBlowsUpAndKeepsItsLastGoodState) {
 }
 
 TEST(SubcyclingClocks, StopsAtTheLargestNumberOfStepsAndWhenAsked) {
-  const Scene chain = wall_chain();
+  const Problem chain = wall_chain();
   RunOptions options;
   options.max_steps = 6;
   State<double> state = chain.start;

@@ -8,6 +8,7 @@
 
 #include "jetlag/control/courant.hpp"
 #include "jetlag/model/energy.hpp"
+#include "jetlag/truncation/draws.hpp"
 #include "schedule/subcycling/subcycling_for_tests.hpp"
 
 namespace jetlag::testing {
@@ -63,7 +64,7 @@ TEST(SubcyclingResonance, IsNoneOutsideTheBands) {
 
 /// The largest energy over that of the start, looked at a thousand times during so many steps of the shortest clock.
 double largest_growth(const ParticleSteps& steps, double shortest_steps) {
-  const Scene chain = wall_chain();
+  const Problem chain = wall_chain();
   State<double> state = chain.start;
   state.position(1, 0) += 0.01;
   state.velocity(2, 0) = 0.1;
@@ -82,7 +83,7 @@ double largest_growth(const ParticleSteps& steps, double shortest_steps) {
 TEST(SubcyclingResonance, IsAvoidedByStepsThatNestBelowIt) {
   // Plain steps multiply the motion by 1.011 a cycle and overflow it. Cured, all of these are leapfrog at the short step,
   // which conserves an energy with 1 - (h omega / 2)^2 of the potential one: so much less than the total is the bound.
-  const Scene chain = wall_chain();
+  const Problem chain = wall_chain();
   for (const auto& [h, r] : {std::pair(0.12725, 4.0), std::pair(0.1045, 5.0), std::pair(0.17975, 2.5)}) {
     const ParticleSteps plain = coarse_b(h, r), cured = without_resonance(chain.system, plain);
     EXPECT_EQ(largest_growth(plain, 1e6), HUGE_VAL);
@@ -95,7 +96,7 @@ TEST(SubcyclingResonance, IsAvoidedByStepsThatNestBelowIt) {
 TEST(SubcyclingResonance, LeavesStepsThatCannotResonate) {
   // h omega = 0.3: up to a quarter of a period there is room for 4 h, and a million steps stay within the modified
   // energy of steps 4 h, 1/(1 - 0.36) of that of the start.
-  const Scene chain = wall_chain();
+  const Problem chain = wall_chain();
   const double h = 0.03;
   for (const auto& [wanted, given] :
        {std::pair(1.0, 1), {1.9, 1}, {2.0, 2}, {3.9, 2}, {4.0, 4}, {7.0, 4}, {100.0, 4}}) {
@@ -115,7 +116,7 @@ TEST(SubcyclingResonance, IsAvoidedOnAnyChain) {
   for (; chains < 150; ++chains) {
     std::vector<double> stiffness(3 + static_cast<int>(6 * random()));
     for (double& k : stiffness) k = std::pow(1000, random());
-    const Scene chain = chain_between_walls(stiffness);
+    const Problem chain = chain_between_walls(stiffness);
     const double h = 2 / frequency_bound(chain.system) * std::pow(0.02, random());
     ParticleSteps steps(chain.system.particles());
     for (double& step : steps) step = std::ldexp(h, static_cast<int>(6 * random()));
@@ -134,7 +135,7 @@ TEST(SubcyclingResonance, IsAvoidedOnAnyChain) {
 }
 
 TEST(SubcyclingResonance, IsRefusedBeyondTheLimitOfTheShortestStep) {
-  const Scene chain = wall_chain();
+  const Problem chain = wall_chain();
   EXPECT_THROW(without_resonance(chain.system, coarse_b(0.2, 4)), std::invalid_argument);
   EXPECT_THROW(without_resonance(planet(0.5).system, {0.1, 0.1}), std::invalid_argument);  // no stiffness
 }

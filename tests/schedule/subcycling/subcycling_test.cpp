@@ -33,7 +33,7 @@ std::vector<double> accelerations(const std::vector<double>& x) {
 
 /// Belytschko, Yen, Mullen (1979), written down: group A of steps h, group B of steps m h, velocities half a step ahead.
 /// In a cycle B gets its acceleration and moves at constant velocity, while A makes m steps.
-State<double> after_cycles(const Scene& scene, const std::vector<bool>& in_b, double h, int m, int cycles) {
+State<double> after_cycles(const Problem& scene, const std::vector<bool>& in_b, double h, int m, int cycles) {
   std::vector<double> d(10), v(10);
   for (int i = 0; i < 10; ++i) {
     d[i] = scene.start.position(i, 0);
@@ -71,7 +71,7 @@ State<double> after_cycles(const Scene& scene, const std::vector<bool>& in_b, do
 TEST(Subcycling, IsTheSchemeOf1979WhereRatiosAreWhole) {
   // 1000 steps round positions near 10 by up to 0.9e-15 each, some three times, at random: below 1e-13; in velocities of
   // frequencies up to sqrt(202) = 14 so much more.
-  const Scene chain = ten_masses();
+  const Problem chain = ten_masses();
   const double h = 0.013;  // the limit is 2/sqrt(202) = 0.14
   for (const int m : {2, 3, 5}) {
     std::vector<bool> in_b(10);
@@ -91,7 +91,7 @@ TEST(Subcycling, IsTheSchemeOf1979WhereRatiosAreWhole) {
 
 TEST(Subcycling, IsLeapfrogWhereAllStepsAreEqual) {
   // The same impulses: 1000 steps of roundings of 1e-16 that grow by t omega = 70 at most.
-  const Scene cube = spring_cube(1);
+  const Problem cube = spring_cube(1);
   State<double> one = cube.start, other = cube.start;
   Subcycling method(cube.system, ParticleSteps(8, 0.01));
   Lockstep leapfrog(std::make_unique<Leapfrog>(cube.system, 0.01));
@@ -105,7 +105,7 @@ TEST(Subcycling, IsLeapfrogWhereAllStepsAreEqual) {
 
 TEST(Subcycling, ReturnsAfterWholeCyclesForthAndBack) {
   // A cycle runs backwards through the same states: 2 x 200 steps of roundings of numbers below 2.
-  const Scene cube = spring_cube(4);
+  const Problem cube = spring_cube(4);
   ParticleSteps steps(8, 0.02);
   for (int i = 0; i < 4; ++i) steps[i] = 0.08;
   State<double> state = cube.start;
@@ -119,7 +119,7 @@ TEST(Subcycling, ReturnsAfterWholeCyclesForthAndBack) {
 
 TEST(Subcycling, HasOrderTwo) {
   // Errors against degree 20; halving all steps divides them by 4. Steps in whole and in real ratios, and one for each.
-  const Scene cube = spring_cube(2);
+  const Problem cube = spring_cube(2);
   State<double> exact = cube.start;
   Lockstep taylor_20(taylor(cube.system, 20, std::make_unique<FixedStep>(0.05)));
   ASSERT_EQ(taylor_20.run(exact, 3.0, {}).outcome, Outcome::success);

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace jetlag {
+namespace jetlag::problems {
 
 inline const std::map<std::string, std::vector<std::string>>& reference_values() {
   static const std::map<std::string, std::vector<std::string>> values{
@@ -113,4 +113,4 @@ inline const std::map<std::string, std::vector<std::string>>& reference_values()
   return values;
 }
 
-}  // namespace jetlag
+}  // namespace jetlag::problems
