@@ -14,7 +14,7 @@ namespace jetlag {
 
 namespace {
 
-struct Arguments {
+struct EnsembleArguments {
   SceneArguments scene;
   EnsembleOptions options;
   std::filesystem::path folder;
@@ -49,7 +49,7 @@ void print(const EnsembleResult& result, const std::filesystem::path& folder) {
     if (std::filesystem::exists(folder / name)) std::printf("  %s\n", (folder / name).string().c_str());
 }
 
-int run_it(const Arguments& arguments) {
+int run(const EnsembleArguments& arguments) {
   const Scene scene = arguments.scene.load();
   kernels<double>();  // a wrong JETLAG_INSTRUCTION_SET is bad input: said before anything is written
   std::filesystem::path folder = arguments.folder;
@@ -86,11 +86,11 @@ int run_it(const Arguments& arguments) {
 }  // namespace
 
 Command ensemble_command() {
-  Arguments defaults;
+  EnsembleArguments defaults;
   defaults.options.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  return command<Arguments>(
-      "ensemble", "run many members of a scene and say how they spread", run_it,
-      [](Arguments& a) {
+  return command<EnsembleArguments>(
+      "ensemble", "run many members of a scene and say how they spread", run,
+      [](EnsembleArguments& a) {
         return a.scene.options(
             {{"--members", &a.options.members, "number of members"},
              {"--threads", &a.options.threads, "threads; the result does not depend on their number"},

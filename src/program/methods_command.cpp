@@ -11,7 +11,7 @@ namespace jetlag {
 
 namespace {
 
-struct Arguments {
+struct MethodsArguments {
   std::string name;
   std::filesystem::path folder;
 };
@@ -31,7 +31,7 @@ void write_all(const std::filesystem::path& folder) {
   std::printf("%s and %zu pages\n", index.string().c_str(), method_pages().size());
 }
 
-int run_it(const Arguments& arguments) {
+int run(const MethodsArguments& arguments) {
   if (!arguments.folder.empty() && !arguments.name.empty())
     throw SceneError("--out: writes the pages of all methods; leave out the name " + arguments.name);
   if (!arguments.folder.empty())
@@ -46,9 +46,9 @@ int run_it(const Arguments& arguments) {
 }  // namespace
 
 Command methods_command() {
-  return command<Arguments>(
-      "methods", "list the methods, or print the page of one", run_it,
-      [](Arguments& a) -> std::vector<Option> {
+  return command<MethodsArguments>(
+      "methods", "list the methods, or print the page of one", run,
+      [](MethodsArguments& a) -> std::vector<Option> {
         return {{"name", &a.name, "of a method, as in a scene"},
                 {"--out", &a.folder, "folder for the pages of all methods and an index.md"}};
       });

@@ -12,7 +12,7 @@ namespace jetlag {
 
 namespace {
 
-struct Arguments {
+struct RunArguments {
   SceneArguments scene;
   std::filesystem::path folder;
   bool quiet = false;
@@ -33,7 +33,7 @@ void print_result(const Summary& summary, const std::filesystem::path& folder) {
   std::printf("  %-12s %s   (ParaView)\n", "", (folder / "frames" / "run.pvd").string().c_str());
 }
 
-int run_it(const Arguments& arguments) {
+int run(const RunArguments& arguments) {
   const Scene scene = arguments.scene.load();
   kernels<double>();  // a wrong JETLAG_INSTRUCTION_SET is bad input: said before anything is written
   const std::filesystem::path folder =
@@ -63,10 +63,11 @@ int run_it(const Arguments& arguments) {
 }  // namespace
 
 Command run_command() {
-  return command<Arguments>("run", "run a scene and leave its results in a folder", run_it, [](Arguments& a) {
-    return a.scene.options({{"--out", &a.folder, "folder for the results (default: out/SCENE)"},
-                            {"--quiet", &a.quiet, "no progress, no report"}});
-  });
+  return command<RunArguments>(
+      "run", "run a scene and leave its results in a folder", run, [](RunArguments& a) {
+        return a.scene.options({{"--out", &a.folder, "folder for the results (default: out/SCENE)"},
+                                {"--quiet", &a.quiet, "no progress, no report"}});
+      });
 }
 
 }  // namespace jetlag

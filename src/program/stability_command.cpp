@@ -21,7 +21,7 @@ namespace jetlag {
 
 namespace {
 
-struct Arguments {
+struct StabilityArguments {
   int min = 3, max = 6;
   double probability = 0.5, mean = 1.0;
   std::vector<double> tail;
@@ -42,7 +42,7 @@ constexpr std::array questions = {
     Question{Growth::almost_sure, "almost_sure", "almost sure, and the ruler"}};
 
 /// Options that say nothing of the law that is asked for must be left out.
-void require_options_of_law(const Arguments& arguments) {
+void require_options_of_law(const StabilityArguments& arguments) {
   const auto& given = arguments.given;
   const bool tail = arguments.law == "tail";
   for (const auto& [option, stray] : {std::pair("--min", given.min && tail),
@@ -53,7 +53,7 @@ void require_options_of_law(const Arguments& arguments) {
     if (stray) throw SceneError(fmt::format("{}: must be left out with --law {}", option, arguments.law));
 }
 
-TruncationLaw law_of(const Arguments& arguments) {
+TruncationLaw law_of(const StabilityArguments& arguments) {
   if (arguments.law == "tail") {
     if (arguments.tail.empty())
       throw SceneError("--tail: must be given with --law tail: P(K >= 0), P(K >= 1), ...");
@@ -143,7 +143,7 @@ void draw(const std::filesystem::path& picture, const std::string& title, const 
   gnuplot::draw(picture, {900, 1040, 18}, commands, map.grid);
 }
 
-int run_stability(const Arguments& arguments) {
+int run(const StabilityArguments& arguments) {
   require_options_of_law(arguments);
   const TruncationLaw law = law_of(arguments);
   const bool own = arguments.velocity == "own_series";
@@ -196,9 +196,9 @@ int run_stability(const Arguments& arguments) {
 }  // namespace
 
 Command stability_command() {
-  return command<Arguments>(
-      "stability", "where series of a random degree are stable: limits and a picture", run_stability,
-      [](Arguments& a) -> std::vector<Option> {
+  return command<StabilityArguments>(
+      "stability", "where series of a random degree are stable: limits and a picture", run,
+      [](StabilityArguments& a) -> std::vector<Option> {
         const auto watched = [](Option option, bool& given) {
           option.given = &given;
           return option;

@@ -1,0 +1,36 @@
+# Compiles the sources of a target a few at a time: they share headers, which is where the time goes.
+# A batch holds neighbours in one room (folder of `root`), about `size` bytes of them: so few that a file that is touched
+# is compiled again within ten seconds, together with its batch. With -D JETLAG_UNITY=OFF each file goes alone.
+option(JETLAG_UNITY "Compile sources a few at a time" ON)
+
+function(jetlag_unity target root size)
+  if(NOT JETLAG_UNITY)
+    return()
+  endif()
+  get_target_property(sources ${target} SOURCES)
+  list(SORT sources)
+  set(room "")
+  foreach(source IN LISTS sources)
+    get_filename_component(source ${source} ABSOLUTE)
+    file(RELATIVE_PATH path ${root} ${source})
+    get_source_file_property(flags ${source} COMPILE_OPTIONS)
+    if(flags OR path MATCHES "_sse2\\.cpp$")
+      continue()  # an object file for an instruction set
+    elseif(NOT path MATCHES "^([a-z_]+)/.*\\.cpp$")
+      continue()  # made by the build, or in no room
+    endif()
+    set(its_room ${CMAKE_MATCH_1})
+    file(SIZE ${source} bytes)
+    if(NOT its_room STREQUAL room)
+      set(room ${its_room})
+      set(batch 1)
+      set(filled 0)
+    elseif(filled GREATER_EQUAL ${size})
+      math(EXPR batch "${batch} + 1")
+      set(filled 0)
+    endif()
+    math(EXPR filled "${filled} + ${bytes}")
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${room}_${batch})
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
