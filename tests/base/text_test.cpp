@@ -11,7 +11,7 @@
 #include <limits>
 #include <random>
 
-namespace jetlag {
+namespace jetlag::testing {
 namespace {
 
 bool same_bits(double a, double b) {
@@ -71,4 +71,4 @@ TEST(Field, IsEmptyWhereThereIsNoNumber) {
 }
 
 }  // namespace
-}  // namespace jetlag
+}  // namespace jetlag::testing

@@ -13,7 +13,7 @@
 #include "jetlag/integrators/taylor.hpp"
 #include "support/problems.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::forecast_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -121,4 +121,4 @@ TEST(Forecast, KeepsTheRealVarianceBelowItsTargetInARun) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::forecast_test

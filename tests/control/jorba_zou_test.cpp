@@ -20,7 +20,7 @@
 #include "support/problems.hpp"
 #include "support/random.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::jorba_zou_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -243,4 +243,4 @@ TEST(JorbaZou, GivesSeriesThatEndTheLargestStepInAnyUnits) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::jorba_zou_test

@@ -10,7 +10,7 @@
 #include "jetlag/forces/forces.hpp"
 #include "jetlag/integrators/taylor.hpp"
 
-namespace jetlag {
+namespace jetlag::testing::ensemble_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -235,4 +235,4 @@ TEST(Ensemble, RefusesWhatMakesNoSense) {
 }
 
 }  // namespace
-}  // namespace jetlag
+}  // namespace jetlag::testing::ensemble_test

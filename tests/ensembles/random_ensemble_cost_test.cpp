@@ -8,7 +8,7 @@
 #include "jetlag/ensembles/random_ensemble.hpp"
 #include "jetlag/forces/forces.hpp"
 
-namespace jetlag {
+namespace jetlag::testing {
 namespace {
 
 using Layout = RandomEnsemble::Layout;
@@ -66,4 +66,4 @@ TEST(RandomEnsemble, CountsNoOrdersWhereNoneIsComputed) {
 }
 
 }  // namespace
-}  // namespace jetlag
+}  // namespace jetlag::testing

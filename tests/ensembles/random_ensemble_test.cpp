@@ -12,7 +12,7 @@
 #include "jetlag/control/halve_double.hpp"
 #include "jetlag/forces/forces.hpp"
 
-namespace jetlag {
+namespace jetlag::testing::random_ensemble_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -282,4 +282,4 @@ TEST(RandomEnsemble, RefusesWhatMakesNoSense) {
 }
 
 }  // namespace
-}  // namespace jetlag
+}  // namespace jetlag::testing::random_ensemble_test

@@ -13,7 +13,7 @@
 #include "support/digits50.hpp"
 #include "support/problems.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::compensated_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -141,4 +141,4 @@ TEST(CompensatedSums, RefuseAVelocityThatIsRandomFromItsFirstCoefficient) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::compensated_test

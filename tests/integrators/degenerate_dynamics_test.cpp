@@ -13,7 +13,7 @@
 #include "jetlag/schedule/lockstep.hpp"
 #include "support/problems.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::degenerate_dynamics_test {
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -91,4 +91,4 @@ TEST(DegenerateDynamics, CollisionsEndWithANameAndTheLastGoodState) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::degenerate_dynamics_test

@@ -12,7 +12,7 @@
 #include "jetlag/schedule/lockstep.hpp"
 #include "support/problems.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::driven_oscillator_test {
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -66,4 +66,4 @@ TEST(DrivenOscillator,
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::driven_oscillator_test

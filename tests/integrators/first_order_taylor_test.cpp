@@ -14,7 +14,7 @@
 
 #include "support/digits50.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::first_order_taylor_test {
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -239,4 +239,4 @@ TEST(FirstOrderTaylor, RefusesWhatItCannotDo) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::first_order_taylor_test

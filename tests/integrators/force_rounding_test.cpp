@@ -15,7 +15,7 @@
 #include "jetlag/forces/spring.hpp"
 #include "support/problems.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::force_rounding_test {
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -89,4 +89,4 @@ TEST(ForceRounding, ScalesWithTheUnits) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::force_rounding_test

@@ -17,7 +17,7 @@
 #include "jetlag/truncation/draws.hpp"
 #include "support/problems.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::long_runs_test {
 namespace {
 
 constexpr double period = 2 * std::numbers::pi;
@@ -158,4 +158,4 @@ TEST(Pendulum, SwingsBackToWhereItBegan) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::long_runs_test

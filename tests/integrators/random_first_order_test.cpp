@@ -9,7 +9,7 @@
 
 #include "jetlag/integrators/first_order_taylor.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::random_first_order_test {
 namespace {
 
 /// y_0' = c (y_0 - y_0^3 / 3 + y_1),  y_1' = -(y_0 - a + b y_1) / c,  a = b = .2, c = 3, from (-1, 1).
@@ -123,4 +123,4 @@ TEST(RandomFirstOrderTaylor, RefusesAStepOfZeroAndARulerThatDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::random_first_order_test

@@ -18,7 +18,7 @@
 #include "jetlag/truncation/draws.hpp"
 #include "support/problems.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::random_taylor_test {
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
@@ -277,4 +277,4 @@ TEST(RandomTaylor, MayStopBeforeTheFirstTerm) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::random_taylor_test

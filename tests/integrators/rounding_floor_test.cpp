@@ -24,7 +24,7 @@
 #include "jetlag/schedule/lockstep.hpp"
 #include "support/problems.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::rounding_floor_test {
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -234,4 +234,4 @@ TEST(RoundingFloor, WhereNoStepIsLeftTheRunEnds) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::rounding_floor_test

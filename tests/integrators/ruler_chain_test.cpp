@@ -13,7 +13,7 @@
 #include "jetlag/schedule/lockstep.hpp"
 #include "support/problems.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::ruler_chain_test {
 namespace {
 
 constexpr double until = 496;
@@ -58,4 +58,4 @@ INSTANTIATE_TEST_SUITE_P(Steps, RulerOnAChain,
                          ::testing::Combine(::testing::Values(3, 4, 5), ::testing::Values(0.31, 0.155)));
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::ruler_chain_test

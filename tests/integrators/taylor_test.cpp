@@ -20,7 +20,7 @@
 #include "jetlag/truncation/draws.hpp"
 #include "support/problems.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::taylor_test {
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
@@ -217,4 +217,4 @@ TEST(Work, IsTheLargestDegreeOfAllWithADrawForEachParticle) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::taylor_test

@@ -14,7 +14,7 @@
 #include "jetlag/forces/uniform_field.hpp"
 #include "support/problems.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::energy_test {
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -92,4 +92,4 @@ TEST(AngularMomentum, IsOneNumberInThePlaneAndNoneOnALine) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::energy_test

@@ -15,7 +15,7 @@
 #include "jetlag/forces/forces.hpp"
 #include "support/random.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::kinks_test {
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -396,4 +396,4 @@ TEST(Kinks, AreNotLookedForInABodyThatFliesAlong) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::kinks_test

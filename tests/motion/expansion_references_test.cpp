@@ -12,7 +12,7 @@
 #include "support/digits50.hpp"
 #include "support/random.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::expansion_references_test {
 namespace {
 
 using Vector3 = std::array<Digits50, 3>;
@@ -117,4 +117,4 @@ TEST(Expansion, OfADampedSpringHasItsReferenceJet) {  // 18 digits from a 60-dig
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::expansion_references_test

@@ -15,7 +15,7 @@
 #include "support/digits50.hpp"
 #include "support/random.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::expansion_test {
 namespace {
 
 /// Particles on a shaken grid of 3 x 3 x 3, all neighbours within 1.6 joined by springs near their rest
@@ -431,4 +431,4 @@ TEST(Expansion, IsNotFiniteWhereParticlesCoincide) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::expansion_test

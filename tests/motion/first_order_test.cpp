@@ -12,7 +12,7 @@
 #include "support/close.hpp"
 #include "support/digits50.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::first_order_test {
 namespace {
 
 using boost::math::factorial;
@@ -169,4 +169,4 @@ TEST(FirstOrder, RefusesAWrongNumberOfComponents) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::first_order_test

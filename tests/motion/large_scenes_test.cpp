@@ -9,7 +9,7 @@
 #include "jetlag/model/particle_order.hpp"
 #include "jetlag/motion/expansion.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::large_scenes_test {
 namespace {
 
 constexpr int side = 45;  // 45 x 45 particles, some 4000 springs: two chunks of 2048
@@ -136,4 +136,4 @@ TEST(ParticleOrder, KeepsAnOrderThatIsAsGood) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::large_scenes_test

@@ -17,7 +17,7 @@
 #include "support/problems.hpp"
 #include "support/random.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::observable_test {
 namespace {
 
 using ::testing::AllOf;
@@ -233,4 +233,4 @@ TEST(Crossings, RefuseWhatDoesNotExist) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::observable_test

@@ -18,7 +18,7 @@
 #include "support/problems.hpp"
 #include "support/random.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::partial_expansion_test {
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -223,4 +223,4 @@ TEST(Neighbourhoods, KnowWhoSharesAnElement) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::partial_expansion_test

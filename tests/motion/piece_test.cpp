@@ -17,7 +17,7 @@
 #include "jetlag/truncation/draws.hpp"
 #include "support/problems.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::piece_test {
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -184,4 +184,4 @@ TEST(Piece, IsDenseOutputOfFullAccuracy) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::piece_test

@@ -11,7 +11,7 @@
 #include "support/close.hpp"
 #include "support/problems.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::sensitivity_test {
 namespace {
 
 constexpr int degree = 7;             // the bounds that numbers carry grow about tenfold with each order
@@ -127,4 +127,4 @@ TEST(Sensitivity, OfAnOrbitTurnsWithIt) {  // the second derivative of a rotatio
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::sensitivity_test

@@ -15,7 +15,7 @@
 #include "jetlag/integrators/taylor.hpp"
 #include "support/problems.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::time_unit_test {
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -144,4 +144,4 @@ TEST(TimeUnit, IsLeftAloneWhereASeriesEndsOrTheForceIsSingular) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::time_unit_test

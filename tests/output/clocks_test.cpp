@@ -13,13 +13,13 @@
 #include "jetlag/pictures/pictures.hpp"
 #include "output/scratch.hpp"
 
-namespace jetlag {
+namespace jetlag::testing {
 namespace {
 
-using testing::ElementsAre;
-using testing::Ge;
-using testing::HasSubstr;
-using testing::Le;
+using ::testing::ElementsAre;
+using ::testing::Ge;
+using ::testing::HasSubstr;
+using ::testing::Le;
 
 using ClocksOfARun = Scratch;
 using Tree = boost::property_tree::ptree;
@@ -82,4 +82,4 @@ TEST_F(ClocksOfARun, AreDrawnAsABarForEachStepColouredByItsLength) {
 }
 
 }  // namespace
-}  // namespace jetlag
+}  // namespace jetlag::testing

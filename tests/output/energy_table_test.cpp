@@ -7,7 +7,7 @@
 
 #include "output/scratch.hpp"
 
-namespace jetlag {
+namespace jetlag::testing {
 namespace {
 
 using EnergyTable = Scratch;
@@ -36,4 +36,4 @@ TEST_F(EnergyTable, HasAnEmptyFieldForANumberThatIsNotFinite) {
 }
 
 }  // namespace
-}  // namespace jetlag
+}  // namespace jetlag::testing

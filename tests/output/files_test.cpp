@@ -16,11 +16,11 @@
 
 #include "output/scratch.hpp"
 
-namespace jetlag {
+namespace jetlag::testing {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 /// No file can grow beyond this size: the disk is full.
 class FullDisk {
@@ -105,4 +105,4 @@ TEST_F(Files, AreWrittenBesideTheDraftOfAnInterruptedRun) {
 }
 
 }  // namespace
-}  // namespace jetlag
+}  // namespace jetlag::testing

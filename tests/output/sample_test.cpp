@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-namespace jetlag {
+namespace jetlag::testing {
 namespace {
 
 /// 1, 2 .. n: mean (n + 1)/2, variance n (n + 1)/12, quantile p at 1 + (n - 1) p.
@@ -59,4 +59,4 @@ TEST(Sample, KnowsStudentsQuantiles) {  // to what the header says
 }
 
 }  // namespace
-}  // namespace jetlag
+}  // namespace jetlag::testing

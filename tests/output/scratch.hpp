@@ -15,10 +15,10 @@
 
 namespace jetlag {
 
-class Scratch : public testing::Test {
+class Scratch : public ::testing::Test {
  protected:
   Scratch() {
-    std::string name = testing::TempDir() + "/jetlag-output-XXXXXX";
+    std::string name = ::testing::TempDir() + "/jetlag-output-XXXXXX";
     EXPECT_NE(::mkdtemp(name.data()), nullptr);
     folder = name;
   }

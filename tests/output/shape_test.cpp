@@ -11,11 +11,11 @@
 
 #include "output/scratch.hpp"
 
-namespace jetlag {
+namespace jetlag::testing {
 namespace {
 
-using testing::ContainerEq;
-using testing::SizeIs;
+using ::testing::ContainerEq;
+using ::testing::SizeIs;
 
 Eigen::Vector3d at(const Coordinates<double>& position, int i) { return position.row(i); }
 
@@ -94,4 +94,4 @@ TEST(Boundary, RefusesWhatDoesNotExist) {
 }
 
 }  // namespace
-}  // namespace jetlag
+}  // namespace jetlag::testing

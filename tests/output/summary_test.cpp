@@ -8,13 +8,13 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-namespace jetlag {
+namespace jetlag::testing {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 std::vector<std::string> keys(const Json& object) {
   std::vector<std::string> names;
@@ -127,4 +127,4 @@ TEST(Summary, OfNothingIsValid) {
 }
 
 }  // namespace
-}  // namespace jetlag
+}  // namespace jetlag::testing

@@ -10,12 +10,12 @@
 
 #include "output/scratch.hpp"
 
-namespace jetlag {
+namespace jetlag::testing {
 namespace {
 
-using testing::ElementsAre;
-using testing::ElementsAreArray;
-using testing::SizeIs;
+using ::testing::ElementsAre;
+using ::testing::ElementsAreArray;
+using ::testing::SizeIs;
 using Tree = boost::property_tree::ptree;
 
 /// The arrays of a file by their names, and how many points and cells it declares. Throws when it is not XML.
@@ -146,4 +146,4 @@ TEST_F(Vtu, FilmNamesEachFileAtItsTime) {
 }
 
 }  // namespace
-}  // namespace jetlag
+}  // namespace jetlag::testing

@@ -13,11 +13,11 @@
 #include "jetlag/output/files.hpp"
 #include "output/scratch.hpp"
 
-namespace jetlag {
+namespace jetlag::testing {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 using Tree = boost::property_tree::ptree;
 
 /// What an SVG consists of. Throws when it is not XML.
@@ -259,8 +259,9 @@ TEST(PicturesWithoutGnuplot, AreRefused) {
   const Variable path("PATH", "/nowhere");
   EXPECT_FALSE(can_draw());
   const Ring ring(2, 3, false);
-  EXPECT_THROW(draw_film(testing::TempDir() + "/film.svg", ring.shape, ring.frames, ""), std::runtime_error);
+  EXPECT_THROW(draw_film(::testing::TempDir() + "/film.svg", ring.shape, ring.frames, ""),
+               std::runtime_error);
 }
 
 }  // namespace
-}  // namespace jetlag
+}  // namespace jetlag::testing

@@ -18,7 +18,7 @@
 #include "jetlag/schedule/record.hpp"
 #include "schedule/networks.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::block_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -248,4 +248,4 @@ TEST(BlockSteps, SayWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::block_test

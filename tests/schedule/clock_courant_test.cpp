@@ -13,7 +13,7 @@
 #include "jetlag/schedule/asynchronous.hpp"
 #include "jetlag/schedule/block.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::clock_courant_test {
 namespace {
 
 /// Unit masses 1 .. 6 on a line between fixed ends, springs of stiffness 1, but 10000 between 3 and 4; a free one apart.
@@ -81,4 +81,4 @@ TYPED_TEST(ClockCourant, NoStepOfAParticleIsLonger) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::clock_courant_test

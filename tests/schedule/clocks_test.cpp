@@ -19,7 +19,7 @@
 #include "jetlag/schedule/lockstep.hpp"
 #include "schedule/networks.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::clocks_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -161,4 +161,4 @@ TEST_P(Clocks, AreFastOnlyWhereASpringCollapses) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::clocks_test

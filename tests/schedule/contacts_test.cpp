@@ -22,7 +22,7 @@
 #include "jetlag/schedule/lockstep.hpp"
 #include "support/problems.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::contacts_test {
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -265,4 +265,4 @@ TEST(Contacts, OfARandomDegreeAreFoundToo) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::contacts_test

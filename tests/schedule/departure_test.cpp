@@ -10,7 +10,7 @@
 
 #include "jetlag/truncation/draws.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::departure_test {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -67,4 +67,4 @@ TEST(Departure, OfACubicIsTheFirstOfAFineGrid) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::departure_test

@@ -10,7 +10,7 @@
 #include "jetlag/schedule/block.hpp"
 #include "support/problems.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::heavy_and_light_test {
 namespace {
 
 /// One run: updates of both masses, the largest error of the energy at a hundred times, and the end.
@@ -109,4 +109,4 @@ TEST(HeavyAndLight, AreUpdatedAlikeWhereBothAreFast) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::heavy_and_light_test

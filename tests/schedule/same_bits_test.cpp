@@ -17,7 +17,7 @@
 #include "schedule/networks.hpp"
 #include "studies/collapsing_body.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::same_bits_test {
 namespace {
 
 struct Member {
@@ -134,4 +134,4 @@ TEST_P(SameBits, UpToRoundingForAnyOrderOfElements) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::same_bits_test

@@ -16,7 +16,7 @@
 #include "jetlag/schedule/lockstep.hpp"
 #include "schedule/networks.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::stiff_chain_test {
 namespace {
 
 constexpr double max_step = 1.25;
@@ -99,4 +99,4 @@ TEST_P(StiffSpot, CostsFreeClocksATwelfthOfTheUpdates) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::stiff_chain_test

@@ -10,7 +10,7 @@
 #include "jetlag/series/elementary.hpp"
 #include "support/close.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::checked_jet_test {
 namespace {
 
 /// The message that f throws as a SingularPoint.
@@ -110,4 +110,4 @@ TEST(CheckedJet, ShowsANumberShortly) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::checked_jet_test

@@ -11,7 +11,7 @@
 #include "support/digits50.hpp"
 #include "support/random.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::comparisons_test {
 namespace {
 
 using J = Jet<double, 4>;
@@ -204,4 +204,4 @@ TEST(Choices, AreWrittenAlikeForNumbersAndJets) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::comparisons_test

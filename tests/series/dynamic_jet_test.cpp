@@ -12,7 +12,7 @@
 #include "support/digits50.hpp"
 #include "support/random.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::dynamic_jet_test {
 namespace {
 
 using D = Jet<double, Dynamic>;
@@ -204,4 +204,4 @@ TEST(Jet, OfSinHasCoefficient177InMoreDigits) {  // 177 divisions, half an ulp e
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::dynamic_jet_test

@@ -7,7 +7,7 @@
 #include "jetlag/series/eigen.hpp"
 #include "support/close.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::eigen_dynamic_test {
 namespace {
 
 using D = Jet<double, Dynamic>;
@@ -87,4 +87,4 @@ TEST(NestedJetsInEigen, MixWithNumbersOfEveryLevel) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::eigen_dynamic_test

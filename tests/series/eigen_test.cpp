@@ -8,7 +8,7 @@
 
 #include "support/close.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::eigen_test {
 namespace {
 
 using J = Jet<double, 4>;
@@ -78,4 +78,4 @@ TEST(JetsInEigen, InvertARotationByTransposing) {  // R R^T = 1 for every coeffi
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::eigen_test

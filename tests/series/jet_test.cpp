@@ -13,7 +13,7 @@
 #include "support/digits50.hpp"
 #include "support/random.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::jet_test {
 namespace {
 
 template <int N>
@@ -272,4 +272,4 @@ TEST(RunningError,
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::jet_test

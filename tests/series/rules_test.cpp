@@ -13,7 +13,7 @@
 #include "jetlag/series/elementary.hpp"
 #include "support/random.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::rules_test {
 namespace {
 
 constexpr int degree = 12;
@@ -160,4 +160,4 @@ TEST(Embed, GivesANumberTheSeriesOfAConstant) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::rules_test

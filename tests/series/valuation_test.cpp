@@ -11,7 +11,7 @@
 #include "support/close.hpp"
 #include "support/digits50.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::valuation_test {
 namespace {
 
 constexpr int N = 8;
@@ -140,4 +140,4 @@ TEST(Valuation, IsTheOrderOfTheFirstTerm) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::valuation_test

@@ -8,7 +8,7 @@
 
 #include "support/program.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::collapse_test {
 namespace {
 
 /// The lines that the study prints, cut into words.
@@ -67,4 +67,4 @@ TEST(CollapseStudy, WhereEndsMeetIsTheEndOfAStep) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::collapse_test

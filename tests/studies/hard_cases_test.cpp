@@ -11,7 +11,7 @@
 
 #include "scenes/parts.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::hard_cases_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -84,4 +84,4 @@ TEST(HardCases, SpendWhatTheyMay) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::hard_cases_test

@@ -9,7 +9,7 @@
 
 #include "support/program.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::long_runs_test {
 namespace {
 
 /// The lines that a study prints, cut into words.
@@ -94,4 +94,4 @@ TEST(MassRatioStudy, TellsUpdatesAndEnergies) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::long_runs_test

@@ -10,7 +10,7 @@
 
 #include "support/program.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::speed_against_error_test {
 namespace {
 
 using Table = std::vector<std::map<std::string, std::string>>;
@@ -106,4 +106,4 @@ TEST(SpeedAgainstError, RefusesWhatItDoesNotKnow) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::speed_against_error_test

@@ -14,7 +14,7 @@
 #include "support/recorded_names.hpp"
 #include "support/run_tape.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::choices_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -136,4 +136,4 @@ TEST_F(RecordChoice, PlainNumbersAreChosenAtOnce) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::choices_test

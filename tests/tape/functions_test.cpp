@@ -19,7 +19,7 @@
 #include "support/recorded_names.hpp"
 #include "support/run_tape.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::functions_test {
 namespace {
 
 using ::testing::UnorderedElementsAre;
@@ -268,4 +268,4 @@ TEST_F(RecordFunction, OfPlainNumbersIsANumber) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::functions_test

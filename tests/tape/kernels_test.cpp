@@ -18,7 +18,7 @@
 #include "support/rules.hpp"
 #include "support/run_tape.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::kernels_test {
 namespace {
 
 constexpr int degree = 12;
@@ -269,4 +269,4 @@ TEST(Kernels, InUseAreAvailable) {  // the fastest, or those that JETLAG_INSTRUC
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::kernels_test

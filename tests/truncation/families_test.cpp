@@ -11,7 +11,7 @@
 #include "jetlag/truncation/draws.hpp"
 #include "truncation/laws.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::families_test {
 namespace {
 
 using ::testing::AllOf;
@@ -178,4 +178,4 @@ TEST(Ruler, CountsUpdatesBeyondAnyNumber) {  // 11^60 is beyond 2^64
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::families_test

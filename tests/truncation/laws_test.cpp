@@ -15,7 +15,7 @@
 
 #include "jetlag/truncation/draws.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::laws_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -269,4 +269,4 @@ TEST(LargestRatio, IsWhereTheTermsOfTheVarianceStopFalling) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::laws_test

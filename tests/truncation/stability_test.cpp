@@ -12,7 +12,7 @@
 #include <numbers>
 #include <vector>
 
-namespace jetlag::testing {
+namespace jetlag::testing::stability_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -227,4 +227,4 @@ TEST(Growth, OfALinearMotionUnderTheRulerIsTheAlmostSureOne) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::stability_test

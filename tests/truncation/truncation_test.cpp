@@ -14,7 +14,7 @@
 
 #include "jetlag/truncation/draws.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::truncation_test {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
@@ -239,4 +239,4 @@ TEST(Covariance, RefusesSeriesThatAreTooShort) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::truncation_test

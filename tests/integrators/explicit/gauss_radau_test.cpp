@@ -16,7 +16,7 @@
 #include "jetlag/schedule/lockstep.hpp"
 #include "support/problems.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::gauss_radau_test {
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -103,4 +103,4 @@ TEST(GaussRadau, RefusesWhatIsNotPositive) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::gauss_radau_test

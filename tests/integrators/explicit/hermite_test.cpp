@@ -14,7 +14,7 @@
 #include "jetlag/schedule/lockstep.hpp"
 #include "support/problems.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::hermite_test {
 namespace {
 
 State<double> after(const Problem& scene, const Hermite::Options& options, double until,
@@ -106,4 +106,4 @@ TEST(Hermite, RefusesWhatIsNotPositive) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::hermite_test

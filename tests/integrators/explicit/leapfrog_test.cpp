@@ -14,7 +14,7 @@
 #include "jetlag/schedule/lockstep.hpp"
 #include "support/problems.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::leapfrog_test {
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -116,4 +116,4 @@ TEST(Leapfrog, RefusesAStepThatIsNotPositive) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::leapfrog_test

@@ -19,7 +19,7 @@
 #include "jetlag/schedule/lockstep.hpp"
 #include "support/problems.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::runge_kutta_test {
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -192,4 +192,4 @@ TEST(RungeKutta, RefusesWhatIsNotPositiveAndEstimatesThatDoNotExist) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::runge_kutta_test

@@ -13,7 +13,7 @@
 #include "jetlag/schedule/lockstep.hpp"
 #include "support/problems.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::symplectic_euler_test {
 namespace {
 
 State<double> after(const Problem& scene, double step, double until) {
@@ -61,4 +61,4 @@ TEST(SymplecticEuler, RefusesDragAndStepsThatAreNotPositive) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::symplectic_euler_test

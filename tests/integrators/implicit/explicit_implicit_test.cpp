@@ -18,7 +18,7 @@
 #include "jetlag/schedule/lockstep.hpp"
 #include "schedule/avi/avi_for_tests.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::explicit_implicit_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -195,4 +195,4 @@ TEST(ExplicitImplicit, RefusesWhatIsNone) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::explicit_implicit_test

@@ -18,7 +18,7 @@
 #include "jetlag/schedule/lockstep.hpp"
 #include "support/problems.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::implicit_test {
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -220,4 +220,4 @@ TEST(Implicit, RefusesAStepThatIsNotPositive) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::implicit_test

@@ -8,7 +8,7 @@
 #include "jetlag/model/energy.hpp"
 #include "schedule/avi/avi_for_tests.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::avi_resonance_test {
 namespace {
 
 double radius(double h, int r) { return spectral_radius(wall_chain(), wall_chain_steps(h, r), r * h); }
@@ -137,4 +137,4 @@ TEST(AviResonance, IsAvoidedAtEveryStepThatLeapfrogCouldTake) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::avi_resonance_test

@@ -14,7 +14,7 @@
 #include "jetlag/schedule/events.hpp"
 #include "schedule/events/events_for_tests.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::event_borders_test {
 namespace {
 
 using ::testing::IsEmpty;
@@ -111,4 +111,4 @@ TEST(Events, DoNotFireWhereNothingMoves) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::event_borders_test

@@ -14,7 +14,7 @@
 #include "jetlag/series/elementary.hpp"
 #include "schedule/events/events_for_tests.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::event_outcomes_test {
 namespace {
 
 using ::testing::AllOf;
@@ -124,4 +124,4 @@ TEST(Events, RefuseWhatDoesNotExist) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::event_outcomes_test

@@ -20,7 +20,7 @@
 #include "schedule/events/events_for_tests.hpp"
 #include "support/digits50.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::events_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -226,4 +226,4 @@ TEST(Events, WorkOnPiecesOfLowOrder) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::events_test

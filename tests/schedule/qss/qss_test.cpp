@@ -18,7 +18,7 @@
 #include "jetlag/schedule/lockstep.hpp"
 #include "support/problems.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::qss_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -210,4 +210,4 @@ TEST(Qss, KeepsMomentumToRounding) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::qss_test

@@ -11,7 +11,7 @@
 #include "jetlag/truncation/draws.hpp"
 #include "schedule/subcycling/subcycling_for_tests.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::subcycling_resonance_test {
 namespace {
 
 /// Of the chain wall-100-A-1-B-1-wall: p / q steps h of A are one of B, in `p` of A they meet.
@@ -141,4 +141,4 @@ TEST(SubcyclingResonance, IsRefusedBeyondTheLimitOfTheShortestStep) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::subcycling_resonance_test

@@ -16,7 +16,7 @@
 #include "support/digits50.hpp"
 #include "support/random.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::composition_test {
 namespace {
 
 using Rational =
@@ -143,4 +143,4 @@ TEST(Revert, SaysWhyThereIsNoInverse) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::composition_test

@@ -14,7 +14,7 @@
 #include "jetlag/series/jet.hpp"
 #include "support/random.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::polynomial_test {
 namespace {
 
 using Exact = boost::multiprecision::cpp_rational;
@@ -115,4 +115,4 @@ TEST(EvaluateCompensated, IsInfiniteWhereHornerIs) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::polynomial_test

@@ -13,7 +13,7 @@
 #include "jetlag/series/elementary.hpp"
 #include "support/digits50.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::radius_test {
 namespace {
 
 constexpr int degree = 30;
@@ -204,4 +204,4 @@ TEST(TailBound, HasItsEnds) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::radius_test

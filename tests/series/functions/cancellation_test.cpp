@@ -7,7 +7,7 @@
 
 #include "jetlag/series/elementary.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::cancellation_test {
 namespace {
 
 constexpr int degree = 20;
@@ -37,4 +37,4 @@ TEST(Acosh, OfALargeNumberIsItsLogarithm) {  // log(2u) + O(u^-2): (-1)^{k-1}/(3
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::cancellation_test

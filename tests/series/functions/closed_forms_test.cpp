@@ -13,7 +13,7 @@
 #include "support/number_types.hpp"
 #include "support/random.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::closed_forms_test {
 namespace {
 
 using D = Digits100;
@@ -238,4 +238,4 @@ TEST(Tan, HasTangentNumbers) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::closed_forms_test

@@ -11,7 +11,7 @@
 #include "jetlag/series/elementary.hpp"
 #include "support/digits50.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::extreme_points_test {
 namespace {
 
 using D = Digits100;
@@ -137,4 +137,4 @@ TEST(Atan, OfLargeNumbersIsARightAngle) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::extreme_points_test

@@ -6,7 +6,7 @@
 
 #include "jetlag/series/comparisons.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::singular_points_test {
 namespace {
 
 using J = Jet<double, 4>;
@@ -127,4 +127,4 @@ TEST(SingularPoint, WhatIsComputedFromAMissingCoefficientIsMissing) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::singular_points_test

@@ -14,7 +14,7 @@
 #include "jetlag/series/comparisons.hpp"
 #include "support/close.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::singular_table_test {
 namespace {
 
 constexpr int N = 4;
@@ -255,4 +255,4 @@ TYPED_TEST(SingularTable, WhatIsComputedFromAMissingCoefficientIsMissing) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::singular_table_test
