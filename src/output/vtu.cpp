@@ -30,7 +30,7 @@ std::string array(const std::string& attributes, const std::string& values) {
 }
 
 /// One row a particle, three components each.
-std::string rows(const Coordinates<double>& values) {
+std::string rows_of_three(const Coordinates<double>& values) {
   std::string text;
   for (Eigen::Index i = 0; i < values.rows(); ++i)
     for (Eigen::Index c = 0; c < 3; ++c) {
@@ -104,17 +104,17 @@ void write_vtu(const std::filesystem::path& path, const Shape& shape, const Fram
   const std::string time =
       array("type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\"", number(frame.time) + '\n');
   const std::string three = "NumberOfComponents=\"3\"";
-  write_file(
-      path,
-      file("UnstructuredGrid",
-           "<FieldData>\n" + time + "</FieldData>\n<Piece NumberOfPoints=\"" +
-               std::to_string(shape.particles) + "\" NumberOfCells=\"" + std::to_string(count) + "\">\n" +
-               "<Points>\n" + array("type=\"Float64\" Name=\"position\" " + three, rows(frame.position)) +
-               "</Points>\n<Cells>\n" + text + "</Cells>\n<PointData Vectors=\"velocity\">\n" +
-               array("type=\"Float64\" Name=\"velocity\" " + three, rows(frame.velocity)) +
-               array("type=\"UInt8\" Name=\"fixed\"", fixed(shape)) + clocks(frame) +
-               "</PointData>\n</Piece>\n"),
-      Until::handed_over);
+  write_file(path,
+             file("UnstructuredGrid",
+                  "<FieldData>\n" + time + "</FieldData>\n<Piece NumberOfPoints=\"" +
+                      std::to_string(shape.particles) + "\" NumberOfCells=\"" + std::to_string(count) +
+                      "\">\n" + "<Points>\n" +
+                      array("type=\"Float64\" Name=\"position\" " + three, rows_of_three(frame.position)) +
+                      "</Points>\n<Cells>\n" + text + "</Cells>\n<PointData Vectors=\"velocity\">\n" +
+                      array("type=\"Float64\" Name=\"velocity\" " + three, rows_of_three(frame.velocity)) +
+                      array("type=\"UInt8\" Name=\"fixed\"", fixed(shape)) + clocks(frame) +
+                      "</PointData>\n</Piece>\n"),
+             Until::handed_over);
 }
 
 void write_pvd(const std::filesystem::path& path, const std::vector<double>& times,
