@@ -12,7 +12,7 @@
 #include "engine.hpp"
 #include "goal.hpp"
 #include "jetlag/tape/kernels.hpp"
-#include "peers.hpp"
+#include "peers/peers.hpp"
 
 namespace jetlag::bench {
 

@@ -222,106 +222,46 @@ inline One each_lane(One a, One b, double (*f)(double, double)) { return One(f(a
 
 template <class L>
 concept AnyLane = requires(const L& a, double (*f)(double)) { each_lane(a, f); };
-template <AnyLane L>
-inline L cbrt(const L& a) {
-  return each_lane(a, ::cbrt);
-}
-template <AnyLane L>
-inline L exp(const L& a) {
-  return each_lane(a, ::exp);
-}
-template <AnyLane L>
-inline L expm1(const L& a) {
-  return each_lane(a, ::expm1);
-}
-template <AnyLane L>
-inline L log(const L& a) {
-  return each_lane(a, ::log);
-}
-template <AnyLane L>
-inline L log1p(const L& a) {
-  return each_lane(a, ::log1p);
-}
-template <AnyLane L>
-inline L log2(const L& a) {
-  return each_lane(a, ::log2);
-}
-template <AnyLane L>
-inline L log10(const L& a) {
-  return each_lane(a, ::log10);
-}
-template <AnyLane L>
-inline L sin(const L& a) {
-  return each_lane(a, ::sin);
-}
-template <AnyLane L>
-inline L cos(const L& a) {
-  return each_lane(a, ::cos);
-}
-template <AnyLane L>
-inline L tan(const L& a) {
-  return each_lane(a, ::tan);
-}
-template <AnyLane L>
-inline L asin(const L& a) {
-  return each_lane(a, ::asin);
-}
-template <AnyLane L>
-inline L acos(const L& a) {
-  return each_lane(a, ::acos);
-}
-template <AnyLane L>
-inline L atan(const L& a) {
-  return each_lane(a, ::atan);
-}
-template <AnyLane L>
-inline L sinh(const L& a) {
-  return each_lane(a, ::sinh);
-}
-template <AnyLane L>
-inline L cosh(const L& a) {
-  return each_lane(a, ::cosh);
-}
-template <AnyLane L>
-inline L tanh(const L& a) {
-  return each_lane(a, ::tanh);
-}
-template <AnyLane L>
-inline L asinh(const L& a) {
-  return each_lane(a, ::asinh);
-}
-template <AnyLane L>
-inline L acosh(const L& a) {
-  return each_lane(a, ::acosh);
-}
-template <AnyLane L>
-inline L atanh(const L& a) {
-  return each_lane(a, ::atanh);
-}
-template <AnyLane L>
-inline L erf(const L& a) {
-  return each_lane(a, ::erf);
-}
-template <AnyLane L>
-inline L erfc(const L& a) {
-  return each_lane(a, ::erfc);
-}
+#define JETLAG_LANE_BY_LANE(f) \
+  template <AnyLane L>         \
+  inline L f(const L& a) {     \
+    return each_lane(a, ::f);  \
+  }
+JETLAG_LANE_BY_LANE(cbrt)
+JETLAG_LANE_BY_LANE(exp)
+JETLAG_LANE_BY_LANE(expm1)
+JETLAG_LANE_BY_LANE(log)
+JETLAG_LANE_BY_LANE(log1p)
+JETLAG_LANE_BY_LANE(log2)
+JETLAG_LANE_BY_LANE(log10)
+JETLAG_LANE_BY_LANE(sin)
+JETLAG_LANE_BY_LANE(cos)
+JETLAG_LANE_BY_LANE(tan)
+JETLAG_LANE_BY_LANE(asin)
+JETLAG_LANE_BY_LANE(acos)
+JETLAG_LANE_BY_LANE(atan)
+JETLAG_LANE_BY_LANE(sinh)
+JETLAG_LANE_BY_LANE(cosh)
+JETLAG_LANE_BY_LANE(tanh)
+JETLAG_LANE_BY_LANE(asinh)
+JETLAG_LANE_BY_LANE(acosh)
+JETLAG_LANE_BY_LANE(atanh)
+JETLAG_LANE_BY_LANE(erf)
+JETLAG_LANE_BY_LANE(erfc)
+#undef JETLAG_LANE_BY_LANE
 template <AnyLane L>
 inline L exp_of_minus_square(const L& a) {
   return each_lane(a, [](double x) { return jetlag::exp_of_minus_square(x); });
 }
-template <AnyLane L>
-inline L pow(const L& a, const L& b) {
-  return each_lane(a, b, ::pow);
-}
-template <AnyLane L>
-inline L hypot(const L& a, const L& b) {
-  return each_lane(a, b, ::hypot);
-}
-template <AnyLane L>
-inline L atan2(const L& a, const L& b) {
-  return each_lane(a, b, ::atan2);
-}
+#define JETLAG_LANE_BY_LANE(f)         \
+  template <AnyLane L>                 \
+  inline L f(const L& a, const L& b) { \
+    return each_lane(a, b, ::f);       \
+  }
+JETLAG_LANE_BY_LANE(pow)
+JETLAG_LANE_BY_LANE(hypot)
+JETLAG_LANE_BY_LANE(atan2)
+#undef JETLAG_LANE_BY_LANE
 
 // Choices (series/conditions.hpp, series/functions/sign.hpp): each lane by its own number.
 template <int n>

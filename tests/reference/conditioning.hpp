@@ -11,7 +11,7 @@
 #include "problems/particles.hpp"
 #include "problems/planets.hpp"
 #include "problems/reference_values.hpp"
-#include "studies/reference_problems.hpp"
+#include "studies/reference/reference_problems.hpp"
 
 namespace jetlag::testing {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every initial value problem of the reference file, to the digits that its conditioning leaves.
-#include "studies/reference_problems.hpp"
+#include "studies/reference/reference_problems.hpp"
 
 #include <gtest/gtest.h>
 

@@ -15,7 +15,7 @@
 
 #include "jetlag/schedule/asynchronous.hpp"
 #include "jetlag/schedule/block.hpp"
-#include "studies/collapsing_body.hpp"
+#include "studies/clocks/collapsing_body.hpp"
 
 namespace jetlag::testing {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The hard cases end where multiprecision arithmetic says, and a method that cannot do one says so.
 
-#include "studies/hard_cases.hpp"
+#include "studies/comparison/hard_cases.hpp"
 
 #include <gmock/gmock.h>
 
@@ -41,7 +41,8 @@ TEST(HardCases, AreGivenToEveryMethod) {
   std::set<std::string> given;
   for (const HardMethod& method : hard_methods()) given.insert(method.integrator.at("type"));
   for (const std::string& type : integrator_types())
-    EXPECT_TRUE(given.contains(type)) << type << ": add it to hard_methods() in src/studies/hard_methods.cpp";
+    EXPECT_TRUE(given.contains(type))
+        << type << ": add it to hard_methods() in src/studies/comparison/hard_methods.cpp";
 }
 
 TEST(HardCases, EndWhereTaylorSeriesOfDegreeTwentyEnd) {

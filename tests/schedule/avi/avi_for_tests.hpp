@@ -34,6 +34,19 @@ double spectral_radius(const Problem& chain, const Make& make, double period) {
   }
   return (map / size).eigenvalues().cwiseAbs().maxCoeff();
 }
+
+/// The step between `stable` and `unstable` where radius(step) leaves 1. It does so as the root of the distance, by some
+/// 0.7 sqrt(h - edge) in these chains: a radius of 1 + 1e-6 tells the edge to 1e-11, and eigenvalues about to part are
+/// computed to the root of rounding, 1e-8.
+template <class Radius>
+double edge_of_stability(double stable, double unstable, const Radius& radius) {
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (stable + unstable);
+    (radius(middle) > 1 + 1e-6 ? unstable : stable) = middle;
+  }
+  return unstable;
+}
+
 inline double spectral_radius(const Problem& chain, const ElementSteps& steps, double period) {
   return spectral_radius(chain, [&] { return Avi(chain.system, steps); }, period);
 }

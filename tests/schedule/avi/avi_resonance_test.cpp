@@ -13,15 +13,8 @@ namespace {
 
 double radius(double h, int r) { return spectral_radius(wall_chain(), wall_chain_steps(h, r), r * h); }
 
-/// The step between `stable` and `unstable` where the radius leaves 1. It does so as the root of the distance, by some
-/// 0.7 sqrt(h - edge) here: a radius of 1 + 1e-6 tells the edge to 1e-11, and eigenvalues about to part are computed to
-/// the root of rounding, 1e-8.
 double edge(double stable, double unstable, int r) {
-  for (int i = 0; i < 40; ++i) {
-    const double middle = 0.5 * (stable + unstable);
-    (radius(middle, r) > 1 + 1e-6 ? unstable : stable) = middle;
-  }
-  return unstable;
+  return edge_of_stability(stable, unstable, [r](double h) { return radius(h, r); });
 }
 
 // Chain wall-100-A-1-B-1-wall with the soft springs every r-th step; reference: 75-digit arithmetic.

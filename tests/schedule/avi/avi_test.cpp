@@ -18,6 +18,7 @@
 #include "jetlag/schedule/lockstep.hpp"
 #include "jetlag/schedule/record.hpp"
 #include "schedule/avi/avi_for_tests.hpp"
+#include "schedule/without_a_trace.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -154,7 +155,7 @@ Problem mixed_chain(double ratio) {
     pairs.push_back({i, i + 1});
     stiffness.push_back({i % 10 == 5 ? ratio : 1.0});
   }
-  scene.system.add<Hardening>(pairs, stiffness);
+  scene.system.add<HardeningSpring>(pairs, stiffness);
   return scene;
 }
 
@@ -182,26 +183,8 @@ TEST(Avi, EvaluatesTheSoftElementsLessOften) {
 // ---- when it shows itself ----------------------------------------------------------------------------------
 
 TEST(Avi, EndsAndIsSeenAtAnyTimeWithoutATrace) {
-  // A run to 1.23 and on to 3 gives the bits of a run to 3, and so does one that shows frames.
-  const Problem cube = spring_cube(5);
-  const ElementSteps steps = courant_steps(cube.system, 0.2);
-  State<double> once = cube.start, twice = cube.start, watched = cube.start;
-  Avi first(cube.system, steps), second(cube.system, steps), third(cube.system, steps);
-  ASSERT_EQ(first.run(once, 3.0, {}).outcome, Outcome::success);
-  ASSERT_EQ(second.run(twice, 1.23, {}).outcome, Outcome::success);
-  EXPECT_EQ(twice.time, 1.23);
-  ASSERT_EQ(second.run(twice, 3.0, {}).outcome, Outcome::success);
-  RunOptions options;
-  int frames = 0;
-  options.frame_times = {0.5, 1.23, 3.0};
-  options.at_frame = [&](const State<double>& state) {
-    EXPECT_EQ(state.time, options.frame_times[frames++]);
-  };
-  ASSERT_EQ(third.run(watched, 3.0, options).outcome, Outcome::success);
-  EXPECT_EQ(frames, 3);
-  EXPECT_EQ(once.position, twice.position);
-  EXPECT_EQ(once.velocity, twice.velocity);
-  EXPECT_EQ(once.position, watched.position);
+  expect_ends_and_frames_leave_no_trace(
+      [](const System<double>& system) { return Avi(system, courant_steps(system, 0.2)); });
 }
 
 TEST(Avi, LeavesATrajectoryThatMeetsItself) {

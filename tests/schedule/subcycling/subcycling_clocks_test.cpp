@@ -9,6 +9,7 @@
 #include "jetlag/forces/forces.hpp"
 #include "jetlag/schedule/record.hpp"
 #include "schedule/subcycling/subcycling_for_tests.hpp"
+#include "schedule/without_a_trace.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -63,26 +64,9 @@ TEST(SubcyclingClocks, RingTogetherAtWholeRatiosHoweverLong) {
 }
 
 TEST(SubcyclingClocks, EndsAndIsSeenAtAnyTimeWithoutATrace) {
-  // A run to 1.23 and on to 3 gives the bits of a run to 3, and so does one that shows frames.
-  const Problem cube = spring_cube(5);
-  const ParticleSteps steps = courant_steps_of_particles(cube.system, 0.2);
-  State<double> once = cube.start, twice = cube.start, watched = cube.start;
-  Subcycling first(cube.system, steps), second(cube.system, steps), third(cube.system, steps);
-  ASSERT_EQ(first.run(once, 3.0, {}).outcome, Outcome::success);
-  ASSERT_EQ(second.run(twice, 1.23, {}).outcome, Outcome::success);
-  EXPECT_EQ(twice.time, 1.23);
-  ASSERT_EQ(second.run(twice, 3.0, {}).outcome, Outcome::success);
-  RunOptions options;
-  int frames = 0;
-  options.frame_times = {0.5, 1.23, 3.0};
-  options.at_frame = [&](const State<double>& state) {
-    EXPECT_EQ(state.time, options.frame_times[frames++]);
-  };
-  ASSERT_EQ(third.run(watched, 3.0, options).outcome, Outcome::success);
-  EXPECT_EQ(frames, 3);
-  EXPECT_EQ(once.position, twice.position);
-  EXPECT_EQ(once.velocity, twice.velocity);
-  EXPECT_EQ(once.position, watched.position);
+  expect_ends_and_frames_leave_no_trace([](const System<double>& system) {
+    return Subcycling(system, courant_steps_of_particles(system, 0.2));
+  });
 }
 
 TEST(SubcyclingClocks, LeavesATrajectoryThatMeetsItself) {

@@ -19,14 +19,8 @@ double radius(double h, int p, int q = 1) {
   return cycle_radius(wall_chain(), coarse_b(h, static_cast<double>(p) / q), h, p);
 }
 
-/// The step between `stable` and `unstable` where the radius leaves 1. It does so as the root of the distance: a radius of
-/// 1 + 1e-6 tells the edge to some 1e-9.
 double edge(double stable, double unstable, int p, int q = 1) {
-  for (int i = 0; i < 40; ++i) {
-    const double middle = 0.5 * (stable + unstable);
-    (radius(middle, p, q) > 1 + 1e-6 ? unstable : stable) = middle;
-  }
-  return unstable;
+  return edge_of_stability(stable, unstable, [=](double h) { return radius(h, p, q); });
 }
 
 // Reference: 75-digit arithmetic.

@@ -15,7 +15,7 @@
 #include "pictures/gnuplot.hpp"
 #include "pictures/support.hpp"
 #include "scenes/reader.hpp"
-#include "studies/struck_body.hpp"
+#include "studies/paper/struck_body.hpp"
 #include "studies/studies.hpp"
 
 namespace jetlag {

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "problems/reference_values.hpp"
-#include "studies/reference_problems.hpp"
+#include "studies/reference/reference_problems.hpp"
 #include "studies/studies.hpp"
 
 namespace jetlag {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "studies/work_precision_chart.hpp"
+#include "studies/comparison/work_precision_chart.hpp"
 
 #include <fmt/format.h>
 

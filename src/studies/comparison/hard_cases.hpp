@@ -6,10 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "jetlag/model/system.hpp"
-#include "jetlag/scenes/scene.hpp"
 #include "problems/hard_cases.hpp"
-#include "studies/studies.hpp"
 
 namespace jetlag {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "studies/competitors.hpp"
+#include "studies/comparison/competitors.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "studies/test_problems.hpp"
+#include "studies/comparison/test_problems.hpp"
 
 #include <numbers>
 #include <stdexcept>
@@ -11,7 +11,7 @@
 #include "problems/chains.hpp"
 #include "problems/particles.hpp"
 #include "problems/planets.hpp"
-#include "studies/struck_body.hpp"
+#include "studies/paper/struck_body.hpp"
 
 namespace jetlag {
 

@@ -9,7 +9,7 @@
 #include "jetlag/base/text.hpp"
 #include "jetlag/output/files.hpp"
 #include "jetlag/runs/run_scene.hpp"
-#include "studies/struck_body.hpp"
+#include "studies/paper/struck_body.hpp"
 #include "studies/studies.hpp"
 
 namespace jetlag {

@@ -19,13 +19,13 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "benchmarks.hpp"
+#include "../benchmarks.hpp"
+#include "../reporter.hpp"
 #include "jetlag/control/jorba_zou.hpp"
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/schedule/lockstep.hpp"
 #include "odeint.hpp"
 #include "problems/laws.hpp"
-#include "reporter.hpp"
 #include "sundials.hpp"
 
 namespace jetlag::bench {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "studies/reference_problems.hpp"
+#include "studies/reference/reference_problems.hpp"
 
 #include <memory>
 

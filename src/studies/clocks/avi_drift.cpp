@@ -9,7 +9,6 @@
 #include "jetlag/schedule/avi.hpp"
 #include "problems/chains.hpp"
 #include "studies/studies.hpp"
-#include "studies/ten_masses.hpp"
 
 namespace jetlag {
 

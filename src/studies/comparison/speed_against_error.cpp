@@ -15,11 +15,11 @@
 #include "jetlag/pictures/pictures.hpp"
 #include "jetlag/scenes/error.hpp"
 #include "scenes/parts.hpp"
-#include "studies/competitors.hpp"
+#include "studies/comparison/competitors.hpp"
+#include "studies/comparison/test_problems.hpp"
+#include "studies/comparison/work_precision_chart.hpp"
 #include "studies/processor_time.hpp"
 #include "studies/studies.hpp"
-#include "studies/test_problems.hpp"
-#include "studies/work_precision_chart.hpp"
 
 namespace jetlag {
 

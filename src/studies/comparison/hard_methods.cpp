@@ -13,7 +13,7 @@
 #include "jetlag/output/files.hpp"
 #include "jetlag/scenes/error.hpp"
 #include "scenes/parts.hpp"
-#include "studies/hard_cases.hpp"
+#include "studies/comparison/hard_cases.hpp"
 #include "studies/processor_time.hpp"
 #include "studies/studies.hpp"
 

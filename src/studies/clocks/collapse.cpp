@@ -11,7 +11,7 @@
 #include "jetlag/control/last_two.hpp"
 #include "jetlag/schedule/asynchronous.hpp"
 #include "jetlag/schedule/block.hpp"
-#include "studies/collapsing_body.hpp"
+#include "studies/clocks/collapsing_body.hpp"
 #include "studies/studies.hpp"
 
 namespace jetlag {
