@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "jetlag/base/outcome.hpp"
+#include "jetlag/base/work.hpp"
 #include "jetlag/control/last_two.hpp"
 #include "jetlag/model/kinks.hpp"
 #include "jetlag/motion/expansion.hpp"
