@@ -7,6 +7,7 @@
 
 #include "jetlag/base/text.hpp"
 #include "jetlag/control/courant.hpp"
+#include "jetlag/integrators/integrator.hpp"
 #include "jetlag/series/calculus/polynomial.hpp"
 #include "jetlag/truncation/draws.hpp"
 
