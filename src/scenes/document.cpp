@@ -80,11 +80,17 @@ class PathFinder : public nlohmann::json_sax<Json> {
   std::vector<Level> levels_;
 };
 
+}  // namespace
+
 Json parsed(std::string_view text, const std::string& source) {
   PathFinder finder(source);
   Json::sax_parse(text, &finder);
   return Json::parse(text);
 }
+
+std::string dumped(const Json& json) { return json.dump(); }
+
+namespace {
 
 /// A path such as forces[1].stiffness[3] in steps: keys and positions. A step may be empty, as in "control..step".
 std::vector<std::string> steps_of(const std::string& path) {
@@ -124,7 +130,7 @@ void apply_setting(Json& json, const std::string& setting) {
     } else if (at->is_object() || at->is_null()) {
       at = &(*at)[step];
     } else {
-      throw SceneError("--set " + path + ": " + so_far + " is " + at->dump() +
+      throw SceneError("--set " + path + ": " + so_far + " is " + dumped(*at) +
                        ", which has no parts; replace it as a whole");
     }
     so_far += (so_far.empty() ? "" : ".") + step;

@@ -27,7 +27,7 @@ template <class T>
 Json json_of(const T& value) {
   return value;
 }
-Json json_of(const JsonText& json) { return Json::parse(json.text); }
+Json json_of(const JsonText& json) { return parsed(json.text, json.text); }
 
 }  // namespace
 
@@ -41,7 +41,7 @@ bool Value::is_object() const { return json_->is_object(); }
 bool Value::is_number() const { return json_->is_number(); }
 
 void Value::refuse(const std::string& allowed) const {
-  throw SceneError(path_ + ": got " + shortened(json_->dump()) + "; must be " + allowed);
+  throw SceneError(path_ + ": got " + shortened(dumped(*json_)) + "; must be " + allowed);
 }
 
 const Value& Value::only(const std::vector<std::string_view>& keys) const {
@@ -49,7 +49,7 @@ const Value& Value::only(const std::vector<std::string_view>& keys) const {
   for (const auto& [key, value] : json_->items())
     if (std::find(keys.begin(), keys.end(), key) == keys.end())
       throw SceneError((path_.empty() ? key : path_ + "." + key) + ": unknown key (its value is " +
-                       shortened(value.dump()) + "); allowed here: " + listed(keys));
+                       shortened(dumped(value)) + "); allowed here: " + listed(keys));
   // Room for all keys: values of this object stay where they are when a missing one is put in.
   json_->get_ref<Json::object_t&>().reserve(keys.size());
   return *this;

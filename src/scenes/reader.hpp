@@ -17,6 +17,12 @@ namespace jetlag {
 
 using Json = nlohmann::ordered_json;
 
+/// Parses JSON text. Throws SceneError naming the path where it breaks: not well-formed, a number beyond double, a key
+/// given twice, nesting deeper than 32.
+Json parsed(std::string_view text, const std::string& source);
+/// Text on one line.
+std::string dumped(const Json& json);
+
 /// A value as errors show it: not all of a long one.
 std::string shortened(const std::string& value);
 
@@ -95,8 +101,7 @@ class Value {
 /// A scene file, or a part of one, as it is read: reading puts in what is missing.
 class Document {
  public:
-  /// Parses JSON text. Throws SceneError naming the path where it breaks: not well-formed, a number beyond double, a key
-  /// given twice, nesting deeper than 32.
+  /// Throws SceneError, as `parsed`.
   Document(std::string_view text, const std::string& source);
   ~Document();
   Document(const Document&) = delete;
