@@ -23,9 +23,10 @@ namespace jetlag {
 void PrintTo(const MethodPage& page, std::ostream* out) { *out << page.name; }
 }  // namespace jetlag
 
-namespace jetlag::testing {
+namespace jetlag::testing::methods_test {
 namespace {
 
+using jetlag::Json;  // with keys in their order
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -266,4 +267,4 @@ TEST_P(MethodPages, AreProvedByTestsThatHoldTheirNumbers) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::methods_test
