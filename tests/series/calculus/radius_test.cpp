@@ -106,7 +106,7 @@ TEST(Radius, OfAnEntireFunctionGrowsOrIsInfinite) {
 template <class S>
 std::array<double, 4> estimates(const S& u) {
   return {static_cast<double>(radius_by_ratio(u)), static_cast<double>(radius_by_root(u)),
-          static_cast<double>(radius_by_last_two(u, detail::ValueOf<S>(1))),
+          static_cast<double>(radius_by_last_two(u, jetlag::detail::ValueOf<S>(1))),
           static_cast<double>(radius_by_three_terms(u))};
 }
 
