@@ -1,4 +1,4 @@
-# What the headers say of the methods, as C++: for each {"folder/header.hpp", "Symbol"} in the register the comment on top
+# What the headers say of the methods, as C++: for each {"folder/header.hpp", "Symbol"} in a record the comment on top
 # of the header and the docstring (///) above the declaration of the symbol, word for word.
 # In: register (the files that list the pages), include (the folder that holds the headers), output (written); depfile (optional).
 
@@ -58,7 +58,7 @@ set(headers "")
 set(seen "")
 foreach(file IN LISTS register)
   file(READ "${file}" entries)
-  string(REGEX MATCHALL "{\"[a-z_]+/[a-z0-9_]+\\.hpp\",[ \n]*\"[A-Za-z0-9_]+\"}" pairs "${entries}")
+  string(REGEX MATCHALL "{\"[a-z_]+/[a-z0-9_/]+\\.hpp\",[ \n]*\"[A-Za-z0-9_]+\"}" pairs "${entries}")
   foreach(pair IN LISTS pairs)
     string(REGEX MATCH "\"([^\"]+)\",[ \n]*\"([^\"]+)\"" pair "${pair}")
     set(header "${CMAKE_MATCH_1}")

@@ -54,6 +54,7 @@
 #include "jetlag/tape/program.hpp"
 #include "jetlag/tape/recording.hpp"
 #include "jetlag/truncation/draws.hpp"
+#include "jetlag/truncation/mean_orders.hpp"
 #include "jetlag/truncation/poisson.hpp"
 #include "jetlag/truncation/sequential.hpp"
 #include "jetlag/truncation/single_term.hpp"

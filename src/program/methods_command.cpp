@@ -6,6 +6,7 @@
 #include "jetlag/scenes/error.hpp"
 #include "program/commands.hpp"
 #include "scenes/methods/methods.hpp"
+#include "scenes/scene_page.hpp"
 
 namespace jetlag {
 
@@ -17,18 +18,20 @@ struct MethodsArguments {
 };
 
 void list() {
-  for (const MethodPage& page : method_pages())
-    std::printf("%-19s %s\n", page.name.c_str(), page.what.c_str());
+  for (const MethodRecord& record : method_records())
+    std::printf("%-19s %s\n", record.name.c_str(), record.what.c_str());
+  std::printf("\n%-19s what a scene file may hold, what a run and an ensemble leave\n", "scene");
 }
 
 void write_all(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);  // write_file says what is wrong
-  for (const MethodPage& page : method_pages())
-    write_file(folder / (page.name + ".md"), markdown(page), Until::handed_over);
+  for (const MethodRecord& record : method_records())
+    write_file(folder / (record.name + ".md"), markdown(record), Until::handed_over);
+  write_file(folder / "scene.md", scene_page(), Until::handed_over);
   const std::filesystem::path index = folder / "index.md";
-  write_file(index, markdown_index(method_pages()));
-  std::printf("%s and %zu pages\n", index.string().c_str(), method_pages().size());
+  write_file(index, markdown_index(method_records()));
+  std::printf("%s and %zu pages\n", index.string().c_str(), method_records().size());
 }
 
 int run(const MethodsArguments& arguments) {
@@ -36,8 +39,10 @@ int run(const MethodsArguments& arguments) {
     throw SceneError("--out: writes the pages of all methods; leave out the name " + arguments.name);
   if (!arguments.folder.empty())
     write_all(arguments.folder);
+  else if (arguments.name == "scene")
+    std::printf("%s", scene_page().c_str());
   else if (!arguments.name.empty())
-    std::printf("%s", markdown(method_page(arguments.name)).c_str());
+    std::printf("%s", markdown(method_record(arguments.name)).c_str());
   else
     list();
   return 0;
@@ -49,7 +54,7 @@ Command methods_command() {
   return command<MethodsArguments>(
       "methods", "list the methods, or print the page of one", run,
       [](MethodsArguments& a) -> std::vector<Option> {
-        return {{"name", &a.name, "of a method, as in a scene"},
+        return {{"name", &a.name, "of a method, as in a scene; or scene: what a scene file may hold"},
                 {"--out", &a.folder, "folder for the pages of all methods and an index.md"}};
       });
 }

@@ -7,11 +7,11 @@
 #include <memory>
 #include <optional>
 
-#include "jetlag/integrators/implicit/implicit_subcycling.hpp"
 #include "jetlag/scenes/mesh.hpp"
 #include "jetlag/scenes/scene.hpp"
 #include "jetlag/truncation/draws.hpp"
 #include "jetlag/truncation/sequential.hpp"
+#include "scenes/keys.hpp"
 #include "scenes/reader.hpp"
 
 namespace jetlag {
@@ -34,49 +34,21 @@ std::vector<std::array<int, 2>> read_forces(const Value& forces, const Particles
 
 inline constexpr int largest_degree = 256;
 
-/// "law" of random_taylor with its keys, and "draws" for it. Refuses keys of other laws.
+/// "law" of random_taylor and "draws" for it; their keys, for its record.
 Truncation read_truncation(const Value& integrator);
 Draw read_draws(const Value& integrator, const Truncation& law, bool shared_draw, int particles);
+SceneKeys truncation_keys();
 
-/// "control", for a law of its integrator.
+/// "control" of a series, for a law of its integrator; the keys of all of them.
 std::unique_ptr<Control> read_control(const Value& control, const TruncationLaw& law, VelocitySeries velocity,
                                       const System<double>& system);
-/// Whether it is "fixed". Refuses a type that does not exist.
-bool is_fixed(const Value& control);
+SceneKeys control_keys();
+/// Refuses a control that reads the variance of a law which has none beforehand, as a coupled sum.
+void require_control_for(const Truncation& law, const Value& control);
 /// "max_step" [s], infinite where it is left out.
 double read_max_step(const Value& control);
 /// The fraction of the Courant limit, if asked for, and the fastest frequency it refers to.
 std::optional<std::pair<double, double>> read_courant(const Value& control, const System<double>& system);
-
-/// "integrator", "control" and "schedule" together.
-struct Method {
-  std::function<std::unique_ptr<Schedule>()> schedule;
-  std::optional<SeriesMethod> series;
-  std::uint64_t max_steps;
-  int threads;
-  std::optional<double> fixed_step;
-  double mean_orders;
-  int largest_degree;
-  bool at_least = false;  // mean_orders is a lower bound
-};
-Method read_method(const Value& scene, std::shared_ptr<const System<double>> system, std::uint64_t seed);
-/// The types of integrators and of schedules that exist; each but `lockstep` has a page in a method_register_*.cpp.
-std::vector<std::string> integrator_types();
-std::vector<std::string> schedule_types();
-
-/// The same where the schedule has a clock for each particle: "control" may be left out.
-Method read_clocks(const Value& scene, const Value& schedule, std::shared_ptr<const System<double>> system,
-                   std::uint64_t seed);
-
-/// The same for {"type": "avi"}, which has a clock for each element, and "subcycling", which has one for each step.
-Method read_avi(const Value& scene, std::shared_ptr<const System<double>> system);
-Method read_subcycling(const Value& scene, std::shared_ptr<const System<double>> system);
-
-/// What such methods have in common: "schedule", which is asynchronous (returns max_steps); "control", which is fixed,
-/// with a step, a fraction courant, or both; and what follows.
-std::uint64_t read_own_schedule(const Value& scene);
-Value read_own_control(const Value& scene);
-Method impulse_method(std::function<std::unique_ptr<Schedule>()> make, std::uint64_t max_steps);
 
 /// A list of particles: at least one, none fixed, none twice. Shape (particles).
 std::vector<bool> read_partition(const Value& list, const System<double>& system);
@@ -84,12 +56,21 @@ std::vector<bool> read_partition(const Value& list, const System<double>& system
 /// "implicit" of explicit_implicit with steps `step` [s]: a list of particles or "courant". Shape (particles).
 std::vector<bool> read_implicit_particles(const Value& integrator, const System<double>& system, double step);
 
-/// The same for {"type": "qss1"}, "qss2" and "qss3", which have a clock for each component of the state.
-Method read_qss(const Value& scene, std::shared_ptr<const System<double>> system);
-
-/// "coarse" and "ratio" of {"type": "implicit_subcycling"}.
-ImplicitSubcycling::Options read_implicit_subcycling(const Value& integrator, double step,
-                                                     const System<double>& system);
+/// "integrator", "control" and "schedule" together.
+struct Method {
+  std::function<std::unique_ptr<Schedule>()> schedule;
+  std::optional<SeriesMethod> series;
+  std::uint64_t max_steps = 0;
+  int threads = 1;
+  std::optional<double> fixed_step;
+  double mean_orders = 0;
+  int largest_degree = 0;
+  bool at_least = false;  // mean_orders is a lower bound
+};
+Method read_method(const Value& scene, std::shared_ptr<const System<double>> system, std::uint64_t seed);
+/// The types of integrators and of schedules that exist; each but `lockstep` has a record.
+std::vector<std::string> integrator_types();
+std::vector<std::string> schedule_types();
 
 /// Runs f; a std::invalid_argument becomes a SceneError about `value`.
 template <class F>
@@ -101,13 +82,18 @@ auto checked(const Value& value, F f) {
   }
 }
 
-/// The member of a register that "type" names.
-template <class Readers>
-const auto& chosen(const Value& value, const Readers& readers) {
-  std::vector<std::string> types;
-  for (const auto& reader : readers) types.push_back(reader.type);
-  const std::string type = value.at("type").one_of(types);
-  return *std::ranges::find(readers, type, [](const auto& reader) { return std::string(reader.type); });
+/// The member of a register of this name.
+template <class Records>
+const auto& named(const Records& records, const std::string& name) {
+  return *std::ranges::find(records, name, [](const auto& record) { return record.name; });
+}
+
+/// The names of a register.
+template <class Records>
+std::vector<std::string> names_of(const Records& records) {
+  std::vector<std::string> names;
+  for (const auto& record : records) names.push_back(record.name);
+  return names;
 }
 
 }  // namespace jetlag

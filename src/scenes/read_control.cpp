@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// "control": how far to go. To add one, write its reader and add its line to the register.
+// "control" of a series: how far to go. To add one, write its reader and add its record.
 #include <algorithm>
 #include <limits>
 
@@ -9,6 +9,8 @@
 #include "jetlag/control/jorba_zou.hpp"
 #include "jetlag/control/last_two.hpp"
 #include "jetlag/control/variance_target.hpp"
+#include "scenes/choices.hpp"
+#include "scenes/methods/keys.hpp"
 #include "scenes/parts.hpp"
 
 namespace jetlag {
@@ -21,22 +23,18 @@ double read_max_step(const Value& control) {
 namespace {
 
 std::unique_ptr<Control> read_fixed(const Value& control, const TruncationLaw&) {
-  control.only({"type", "step", "courant"});
   return std::make_unique<FixedStep>(control.at("step").number(positive));
 }
 
 std::unique_ptr<Control> read_jorba_zou(const Value& control, const TruncationLaw&) {
-  control.only({"type", "max_step", "tolerance", "courant"});
   return std::make_unique<JorbaZou>(read_max_step(control));
 }
 
 std::unique_ptr<Control> read_last_two(const Value& control, const TruncationLaw&) {
-  control.only({"type", "max_step", "tolerance", "courant"});
   return std::make_unique<LastTwo>(control.at("tolerance").number(positive), read_max_step(control));
 }
 
 std::unique_ptr<Control> read_variance(const Value& control, const TruncationLaw&) {
-  control.only({"type", "step", "max_step", "tolerance_random", "tolerance_bias", "courant"});
   const double step = control.at("step").number(positive), max_step = read_max_step(control),
                random = control.at("tolerance_random").number(positive),
                bias = control.at("tolerance_bias").number(positive);
@@ -44,7 +42,6 @@ std::unique_ptr<Control> read_variance(const Value& control, const TruncationLaw
 }
 
 std::unique_ptr<Control> read_halve_double(const Value& control, const TruncationLaw& law) {
-  control.only({"type", "step", "max_step", "min_variance", "max_variance", "courant"});
   const double step = control.at("step").number(positive), max_step = read_max_step(control),
                least = control.at("min_variance").number(positive),
                most = control.at("max_variance").number(positive);
@@ -52,19 +49,64 @@ std::unique_ptr<Control> read_halve_double(const Value& control, const Truncatio
       control, [&] { return std::make_unique<HalveDouble>(step, max_step, least, most, law.min_degree()); });
 }
 
-struct ControlReader {
-  const char* type;
-  std::unique_ptr<Control> (*read)(const Value& control, const TruncationLaw& law);
-};
-constexpr ControlReader controls[] = {{"fixed", read_fixed},
-                                      {"jorba_zou", read_jorba_zou},
-                                      {"last_two", read_last_two},
-                                      {"variance", read_variance},
-                                      {"halve_double", read_halve_double}};
+const SceneKey longest_step{"max_step", "no step is longer [s], > 0", "none"},
+    first_step{"step", "the first one [s], > 0", "required"};
 
 }  // namespace
 
-bool is_fixed(const Value& control) { return chosen(control, controls).read == read_fixed; }
+const std::vector<ControlRecord>& control_records() {
+  static const std::vector<ControlRecord> records = {
+      {.name = "fixed",
+       .what = "Steps of one length",
+       .keys = {{"step", "[s], > 0", "required"}},
+       .read = read_fixed},
+      {.name = "jorba_zou",
+       .what = "From the last two coefficients: as long as the series lets rounding be the error",
+       .keys = {longest_step,
+                {"tolerance", "of `taylor`, in place of integrator.degree: between 0 and 1", "none"}},
+       .read = read_jorba_zou},
+      {.name = "last_two",
+       .what = "From the last two coefficients, to a tolerance",
+       .keys = {longest_step, {"tolerance", "of a step [m], > 0", "required"}},
+       .read = read_last_two},
+      {.name = "variance",
+       .what = "To a random error and to a bias of a step",
+       .keys = {first_step,
+                longest_step,
+                {"tolerance_random", "random error of a position in one step [m], > 0", "required"},
+                {"tolerance_bias", "what is left out of it [m], > 0", "required"}},
+       .read = read_variance,
+       .reads_variance = true},
+      {.name = "halve_double",
+       .what = "Halved above one variance, doubled below another",
+       .keys = {first_step,
+                longest_step,
+                {"min_variance", "doubled below it [m^2], > 0", "required"},
+                {"max_variance", "halved above it [m^2], > 4^(m+1) min_variance", "required"}},
+       .read = read_halve_double,
+       .reads_variance = true}};
+  return records;
+}
+
+SceneKeys control_keys() {
+  std::vector<Choice> choices;
+  for (const ControlRecord& record : control_records()) choices.push_back({record.name, record.keys});
+  return joined({{choice("control.type", names_of(control_records()), "required")},
+                 merged("control", choices),
+                 {method_keys::courant}});
+}
+
+void require_control_for(const Truncation& law, const Value& control) {
+  const auto* known = std::get_if<TruncationLaw>(&law);
+  if (known != nullptr && known->weighting() == Weighting::coupled_sum) return;
+  if (!named(control_records(), control.at("type").text()).reads_variance && !control.has("courant")) return;
+  std::string others;
+  for (const ControlRecord& record : control_records())
+    if (!record.reads_variance) others += (others.empty() ? "" : ", ") + record.name;
+  control.refuse("one of " + others +
+                 " without courant where integrator.law is sequential or single_term: the others need the "
+                 "variance of the law");
+}
 
 std::optional<std::pair<double, double>> read_courant(const Value& control, const System<double>& system) {
   const auto courant = control.find("courant");
@@ -76,7 +118,7 @@ std::optional<std::pair<double, double>> read_courant(const Value& control, cons
 
 std::unique_ptr<Control> read_control(const Value& control, const TruncationLaw& law, VelocitySeries velocity,
                                       const System<double>& system) {
-  auto inner = chosen(control, controls).read(control, law);
+  auto inner = named(control_records(), control.at("type").text()).read(control, law);
   const auto courant = read_courant(control, system);
   if (!courant) return inner;
   return checked(control.at("courant"), [&] {

@@ -5,6 +5,7 @@
 
 #include "jetlag/forces/forces.hpp"
 #include "jetlag/scenes/error.hpp"
+#include "scenes/choices.hpp"
 #include "scenes/parts.hpp"
 
 namespace jetlag {
@@ -84,7 +85,6 @@ std::vector<std::array<int, 1>> moving(const Particles& particles) {
 }
 
 Pairs read_spring(const Value& force, const Particles& particles, const Components&, System<double>& system) {
-  force.only({"type", "pairs", "stiffness", "rest_length"});
   Pairs pairs = read_pairs(force.at("pairs", "edges"), particles, "spring");
   const auto stiffness = force.at("stiffness").numbers(pairs.size(), non_negative, "spring");
   const Value rest = force.at("rest_length", "initial");
@@ -105,7 +105,6 @@ Pairs read_spring(const Value& force, const Particles& particles, const Componen
 
 Pairs read_gravity(const Value& force, const Particles& particles, const Components&,
                    System<double>& system) {
-  force.only({"type", "pairs", "constant"});
   Pairs pairs = read_pairs(force.at("pairs", "all"), particles, "gravity");
   const double constant = force.at("constant", 1.0).number();
   std::vector<std::array<double, 1>> parameters(pairs.size(), {constant});
@@ -115,7 +114,6 @@ Pairs read_gravity(const Value& force, const Particles& particles, const Compone
 }
 
 Pairs read_drag(const Value& force, const Particles& particles, const Components&, System<double>& system) {
-  force.only({"type", "coefficient"});
   const auto coefficient = force.at("coefficient").numbers(particles.mass.size(), non_negative, "particle");
   const auto elements = moving(particles);
   std::vector<std::array<double, 1>> parameters;
@@ -126,7 +124,6 @@ Pairs read_drag(const Value& force, const Particles& particles, const Components
 
 Pairs read_uniform_field(const Value& force, const Particles& particles, const Components&,
                          System<double>& system) {
-  force.only({"type", "acceleration"});
   auto g = force.at("acceleration").vector(particles.dimension);
   g.resize(3, 0.0);
   system.add<UniformField>(moving(particles), {{g[0], g[1], g[2]}});
@@ -166,7 +163,6 @@ std::array<double, 3> read_normal(const Value& force, int dimension, const Compo
 
 Pairs read_floor(const Value& force, const Particles& particles, const Components& up,
                  System<double>& system) {
-  force.only({"type", "stiffness", "height", "normal", "power"});
   const double stiffness = force.at("stiffness").number(non_negative),
                height = force.at("height", 0.0).number();
   const auto [x, y, z] = read_normal(force, particles.dimension, up);
@@ -177,32 +173,55 @@ Pairs read_floor(const Value& force, const Particles& particles, const Component
   return {};
 }
 
-struct ForceReader {
-  const char* type;
-  // Returns the pairs to draw.
-  Pairs (*read)(const Value&, const Particles&, const Components& up, System<double>&);
-};
-constexpr ForceReader readers[] = {{Spring::name, read_spring},
-                                   {Drag::name, read_drag},
-                                   {UniformField::name, read_uniform_field},
-                                   {Gravity::name, read_gravity},
-                                   {Floor::name, read_floor}};
-
 }  // namespace
+
+const std::vector<ForceRecord>& force_records() {
+  static const SceneKey stiffness{"stiffness", "[N/m], >= 0: one for all or one for each", "required"};
+  static const std::vector<ForceRecord> records = {
+      {Spring::name,
+       "Springs between pairs of particles",
+       {{"pairs", "a list, `edges` of the mesh, `all`", "edges"},
+        stiffness,
+        {"rest_length", "[m], > 0: one for all or one for each; `initial`: what it is at the beginning",
+         "initial"}},
+       read_spring},
+      {Drag::name,
+       "A force against the velocity of each particle",
+       {{"coefficient", "[kg/s], >= 0: one for all or one for each", "required"}},
+       read_drag},
+      {UniformField::name,
+       "The same acceleration of all particles",
+       {{"acceleration", "[m/s^2], a component for each dimension", "required"}},
+       read_uniform_field},
+      {Gravity::name,
+       "Attraction of pairs of particles by their masses",
+       {{"pairs", "a list, `edges` of the mesh, `all`", "all"}, {"constant", "G [m^3/(kg s^2)]", "1"}},
+       read_gravity},
+      {Floor::name,
+       "A floor that pushes back what is below it. Steps of `taylor` and `random_taylor` that a control "
+       "chooses, "
+       "and those of clocks of particles, end at its surface; other methods go over it",
+       {{"stiffness", "[N/m], of power 2 [N/m^2], >= 0", "required"},
+        {"height", "[m] along its normal", "0"},
+        {"normal", "its way out, of any length but 0",
+         "none: up, against the sum of all `uniform_field`, without any along the second axis"},
+        {"power", "of the depth, 1 or 2", "1"}},
+       read_floor}};
+  return records;
+}
 
 std::vector<std::array<int, 2>> read_forces(const Value& forces, const Particles& particles,
                                             System<double>& system) {
-  std::vector<std::string> types;
-  for (const auto& reader : readers) types.push_back(reader.type);
+  const std::vector<std::string> types = names_of(force_records());
   const Components up = upwards(forces, particles.dimension);
   Pairs lines;
   for (std::size_t f = 0; f < forces.size(); ++f) {
     const Value force = forces.at(f);
     if (!force.is_object()) force.refuse("an object with a type");
-    const std::string type = force.at("type").one_of(types);
-    const auto reader =
-        std::ranges::find(readers, type, [](const ForceReader& r) { return std::string(r.type); });
-    const Pairs drawn = reader->read(force, particles, up, system);
+    const ForceRecord& record = named(force_records(), force.at("type").one_of(types));
+    std::vector<std::string_view> keys = {"type"};
+    for (const SceneKey& key : record.keys) keys.push_back(key.key);
+    const Pairs drawn = record.read(force.only(keys), particles, up, system);
     lines.insert(lines.end(), drawn.begin(), drawn.end());
   }
   return lines;

@@ -4,6 +4,7 @@
 
 #include "jetlag/scenes/error.hpp"
 #include "jetlag/truncation/draws.hpp"
+#include "scenes/choices.hpp"
 #include "scenes/parts.hpp"
 
 namespace jetlag {
@@ -132,7 +133,47 @@ void require_finite(const Value& particles, const char* key, const Coordinates<d
                        ": makes numbers beyond 1e150, whose squares overflow; must be " + "smaller");
 }
 
+/// The key that says where particles come from: of the first generator that is there, or "position".
+std::string origin_of(const Value& particles) {
+  for (const Choice& choice : particle_choices())
+    if (choice.name != "position" && particles.has(choice.name)) return choice.name;
+  return "position";
+}
+
 }  // namespace
+
+const std::vector<Choice>& particle_choices() {
+  static const SceneKey mass{"mass", "[kg], 1e-300 to 1e300: one for all or a list", "1"},
+      velocity{"velocity",
+               "[m/s], one vector for all or a list; a generator takes `{\"normal\": deviation}` too", "0"},
+      fixed{"fixed", "a list of particles that do not move", "none"};
+  static const auto generator = [](const SceneKeys& own, const SceneKey& springs) {
+    return joined({own,
+                   {mass,
+                    velocity,
+                    fixed,
+                    {"fix_below",
+                     "fixes what is within this distance of the lowest [m], along the second axis", "none"},
+                    {"fix_above", "the same of the highest", "none"},
+                    springs}});
+  };
+  static const SceneKey edges{"springs", "which edges there are for springs: `edges`", "edges"};
+  static const std::string radii =
+      "an object: `radii` [m] along the axes, `cells` (how many across and along), "
+      "`cut` (two fractions of the second radius, 0 to 1, where it is cut off)";
+  static const std::vector<Choice> choices = {
+      {"position", {{"position", "[m], a vector for each particle", "required"}, velocity, mass, fixed}},
+      {"mesh", generator({{"mesh", "a Medit file (.mesh) of tetrahedra, beside the scene or with its path",
+                           "required"}},
+                         edges)},
+      {"ellipsoid", generator({{"ellipsoid", radii, "required"}}, edges)},
+      {"ellipse", generator({{"ellipse", radii, "required"}}, edges)},
+      {"grid",
+       generator({{"grid", "counts along one, two or three axes", "required"},
+                  {"spacing", "between neighbours [m], > 0", "required"}},
+                 {"springs", "`edges`: of neighbours; `cloth`: also diagonals and over two", "edges"})}};
+  return choices;
+}
 
 Particles read_particles(const Value& value, int dimension, std::uint64_t seed,
                          const std::filesystem::path& folder) {
@@ -140,23 +181,22 @@ Particles read_particles(const Value& value, int dimension, std::uint64_t seed,
     value.refuse("an object: positions, or a generator such as mesh, grid, ellipse, ellipsoid");
   Particles particles;
   particles.dimension = dimension;
-  if (value.has("mesh")) {
-    value.only({"mesh", "mass", "velocity", "fixed", "fix_below", "fix_above", "springs"});
+  const std::string origin = origin_of(value);
+  std::vector<std::string_view> keys;
+  for (const SceneKey& key : named(particle_choices(), origin).keys) keys.push_back(key.key);
+  value.only(keys);
+  if (origin == "mesh") {
     require_dimension(value.at("mesh"), dimension, 3);
     particles.mesh = read_mesh(value.at("mesh"), folder);
-  } else if (value.has("ellipsoid")) {
-    value.only({"ellipsoid", "mass", "velocity", "fixed", "fix_below", "fix_above", "springs"});
+  } else if (origin == "ellipsoid") {
     require_dimension(value.at("ellipsoid"), dimension, 3);
     particles.mesh = read_ellipsoid(value.at("ellipsoid"));
-  } else if (value.has("ellipse")) {
-    value.only({"ellipse", "mass", "velocity", "fixed", "fix_below", "fix_above", "springs"});
+  } else if (origin == "ellipse") {
     require_dimension(value.at("ellipse"), dimension, 2);
     particles.mesh = read_ellipse(value.at("ellipse"));
-  } else if (value.has("grid")) {
-    value.only({"grid", "spacing", "mass", "velocity", "fixed", "fix_below", "fix_above", "springs"});
+  } else if (origin == "grid") {
     particles.mesh = read_grid(value, dimension);
   } else {
-    value.only({"position", "velocity", "mass", "fixed"});
     particles.state.position = read_rows(value.at("position"), dimension);
   }
   if (!value.has("position")) {

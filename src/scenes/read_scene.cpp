@@ -11,6 +11,7 @@
 #include "jetlag/model/element_blocks.hpp"
 #include "jetlag/model/energy.hpp"
 #include "jetlag/scenes/error.hpp"
+#include "scenes/choices.hpp"
 #include "scenes/parts.hpp"
 
 namespace jetlag {
@@ -18,7 +19,7 @@ namespace jetlag {
 namespace {
 
 OutputOptions read_output(const Value& output) {
-  output.only({"frames", "energy", "pictures", "clocks"});
+  output.only(allowed(scene_keys(), "output"));
   return {static_cast<int>(output.at("frames", 100).integer(1, 1'000'000)),
           output.at("energy", true).boolean(), output.at("pictures", true).boolean(),
           output.at("clocks", false).boolean()};
@@ -83,8 +84,10 @@ void require_memory(const System<double>& system, int degree, const Value& parti
 
 Scene read(Document& document, const std::filesystem::path& folder) {
   const Value value = document.root();
-  value.only({"name", "dimension", "particles", "forces", "integrator", "control", "schedule", "until",
-              "seed", "output"});
+  std::vector<std::string_view> keys;
+  for (const SceneKey& key : scene_keys())
+    if (key.key.find('.') == std::string::npos) keys.push_back(key.key);
+  value.only(keys);
   Scene scene;
   scene.name = value.at("name", "scene").text();
   scene.seed = value.at("seed", 1).seed();

@@ -7,6 +7,7 @@
 #include "jetlag/truncation/poisson.hpp"
 #include "jetlag/truncation/single_term.hpp"
 #include "jetlag/truncation/variance_capped.hpp"
+#include "scenes/choices.hpp"
 #include "scenes/parts.hpp"
 
 namespace jetlag {
@@ -82,38 +83,57 @@ Truncation read_sequential(const Value& integrator) {
   return checked(least, [&, m = m, n = n] { return sequential(m, n, size, probability); });
 }
 
-struct LawReader {
-  const char* name;
-  Truncation (*read)(const Value& integrator);
-  std::vector<std::string_view> keys;
-};
-
-const std::vector<LawReader>& laws() {
-  static const std::vector<LawReader> readers = {
-      {"geometric", read_geometric, {"min_degree", "max_degree", "probability", "base"}},
-      {"poisson", read_poisson, {"min_degree", "max_degree", "mean"}},
-      {"tail", read_tail, {"tail"}},
-      {"variance_capped", read_variance_capped, {"terms", "max_variance"}},
-      {"sequential", read_sequential, {"min_degree", "max_degree", "target", "least"}},
-      {"single_term", read_single_term, {"min_degree", "max_degree", "probability", "base"}}};
-  return readers;
-}
+const SceneKey min_degree{"min_degree", "1 to 256", "required"},
+    max_degree{"max_degree", "min_degree to 256", "required"};
+const SceneKeys of_geometric{
+    min_degree,
+    max_degree,
+    {"probability", "of stopping at a degree, 0 to 1, below 1 unless the degrees are equal", "0.5"},
+    {"base", "in place of it: one in `base` goes on, whole number from 2 to 1000000", "none"}};
 
 }  // namespace
 
+const std::vector<LawRecord>& law_records() {
+  static const std::vector<LawRecord> records = {
+      {"geometric", "Stops at each degree with the same probability", of_geometric, read_geometric},
+      {"poisson",
+       "Poisson's law beyond the least degree",
+       {min_degree, max_degree, {"mean", "of the degrees beyond min_degree, > 0", "required"}},
+       read_poisson},
+      {"tail",
+       "Any law, by its tail",
+       {{"tail", "P(K >= n) for n = 0, 1, .., the first two 1, 2 to 257 numbers", "required"}},
+       read_tail},
+      {"variance_capped",
+       "The law of least cost for terms of known sizes",
+       {{"terms", "sizes of the terms, 2 to 257 numbers", "required"},
+        {"max_variance", "of the sum of these terms, > 0", "required"}},
+       read_variance_capped},
+      {"sequential",
+       "Goes on by the size of the terms",
+       {min_degree,
+        max_degree,
+        {"target", "terms below it may be left out [m], > 0", "required"},
+        {"least", "the least probability of going on, > 0 and <= 1", "0.05"}},
+       read_sequential},
+      {"single_term", "As geometric, but only the term where it stops is weighted", of_geometric,
+       read_single_term}};
+  return records;
+}
+
+SceneKeys truncation_keys() {
+  std::vector<Choice> choices;
+  for (const LawRecord& record : law_records()) choices.push_back({record.name, record.keys});
+  return joined(
+      {{choice("integrator.law", names_of(law_records()), "geometric",
+               "; the last two with a control that reads no variance, without courant")},
+       merged("integrator", choices),
+       {{"integrator.draws", quoted_list(names_of_draws) + "; `stratified` with a draw for each particle",
+         "independent"}}});
+}
+
 Truncation read_truncation(const Value& integrator) {
-  std::vector<std::string> names;
-  for (const LawReader& law : laws()) names.push_back(law.name);
-  // Unknown keys of any law first: the law is put in where it is missing.
-  std::string chosen = "geometric";
-  if (const auto law = integrator.find("law")) chosen = law->one_of(names);
-  const LawReader& reader = *std::ranges::find(laws(), chosen, [](const LawReader& law) { return law.name; });
-  std::vector<std::string_view> keys = {"type"};
-  keys.insert(keys.end(), reader.keys.begin(), reader.keys.end());
-  keys.insert(keys.end(), {"law", "draws", "shared_draw", "velocity", "compensated"});
-  integrator.only(keys);
-  integrator.at("law", "geometric");
-  return reader.read(integrator);
+  return named(law_records(), integrator.at("law", "geometric").text()).read(integrator);
 }
 
 Draw read_draws(const Value& integrator, const Truncation& law, bool shared_draw, int particles) {

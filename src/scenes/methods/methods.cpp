@@ -16,19 +16,8 @@ const HeaderText& text_of(const Declaration& declared) {
   });
   if (found == header_texts().end())
     throw std::logic_error("no comments of " + declared.symbol + " in " + declared.header +
-                           " were read; write {\"header\", \"Symbol\"} in method_register_*.cpp");
+                           " were read; write {\"header\", \"Symbol\"} in src/scenes/methods");
   return *found;
-}
-
-/// A cell of a table.
-std::string cell(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) escaped += c == '|' ? std::string("\\|") : std::string(1, c);
-  return escaped;
-}
-
-bool is_value(const std::string& fallback) {
-  return !fallback.starts_with("required") && !fallback.starts_with("none");
 }
 
 /// The comments as they stand, those on top of a header once.
@@ -46,23 +35,20 @@ std::string equations(const std::vector<Declaration>& declared) {
   return page;
 }
 
-std::string keys(const MethodPage& page) {
-  std::string table = "| key | values | default |\n|---|---|---|\n| `" + page.named_by + "` | `" + page.name +
-                      "` | required |\n";
-  for (const SceneKey& key : page.keys)
-    table += "| `" + key.key + "` | " + cell(key.values) + " | " +
-             (is_value(key.fallback) ? "`" + key.fallback + "`" : cell(key.fallback)) + " |\n";
-  for (const std::string& example : page.examples) table += "\n```json\n" + example + "\n```\n";
-  return table + "\n";
+std::string keys(const MethodRecord& record) {
+  std::string text =
+      markdown_table(joined({{{record.named_by, "`" + record.name + "`", "required"}}, record.keys}));
+  for (const std::string& example : record.examples) text += "\n```json\n" + example + "\n```\n";
+  return text + "\n";
 }
 
 }  // namespace
 
-const MethodPage& method_page(const std::string& name) {
-  const auto found = std::ranges::find(method_pages(), name, &MethodPage::name);
-  if (found != method_pages().end()) return *found;
+const MethodRecord& method_record(const std::string& name) {
+  const auto found = std::ranges::find(method_records(), name, &MethodRecord::name);
+  if (found != method_records().end()) return *found;
   std::string all;
-  for (const MethodPage& page : method_pages()) all += (all.empty() ? "" : ", ") + page.name;
+  for (const MethodRecord& record : method_records()) all += (all.empty() ? "" : ", ") + record.name;
   throw std::invalid_argument("methods: got \"" + name + "\"; must be one of " + all);
 }
 
@@ -87,26 +73,27 @@ std::vector<std::string> sources_of(const std::vector<Declaration>& declared) {
   return sources;
 }
 
-std::string markdown(const MethodPage& page) {
-  std::string text = "# " + page.name + "\n\n" + page.what + ".\n\n## Equations\n\n" +
-                     equations(page.declared) + "## When to use it\n\n" + page.when +
-                     "\n\n## In a scene\n\n" + keys(page) + "## What proves it\n\n";
-  for (const Proof& proof : page.proofs)
+std::string markdown(const MethodRecord& record) {
+  std::string text = "# " + record.name + "\n\n" + record.what + ".\n\n## Equations\n\n" +
+                     equations(record.declared) + "## When to use it\n\n" + record.when +
+                     "\n\n## In a scene\n\n" + keys(record) + "## What proves it\n\n";
+  for (const Proof& proof : record.proofs)
     text +=
         "- `" + proof.number + "`: " + proof.claim + ". `" + proof.test + "` in `tests/" + proof.file + "`\n";
   text += "\n## Source\n\n";
-  for (const std::string& source : sources_of(page.declared)) text += "- " + source + "\n";
-  return text + "\nWhat stands in square brackets is in the list of sources of README.md.\n";
+  for (const std::string& source : sources_of(record.declared)) text += "- " + source + "\n";
+  return text + "\nWhat stands in square brackets is in the list of sources, doc/sources.md.\n";
 }
 
-std::string markdown_index(const std::vector<MethodPage>& pages) {
+std::string markdown_index(const std::vector<MethodRecord>& records) {
   std::string text =
-      "# Methods\n\nOne page for each, as `jetlag methods NAME` prints it.\n\n| method | what it is | when "
+      "# Methods\n\nOne page for each, as `jetlag methods NAME` prints it; [scene.md](scene.md) says what a "
+      "scene file may hold beside.\n\n| method | what it is | when "
       "to use "
       "it |\n|---|---|---|\n";
-  for (const MethodPage& page : pages)
-    text +=
-        "| [" + page.name + "](" + page.name + ".md) | " + cell(page.what) + " | " + cell(page.when) + " |\n";
+  for (const MethodRecord& record : records)
+    text += "| [" + record.name + "](" + record.name + ".md) | " + markdown_cell(record.what) + " | " +
+            markdown_cell(record.when) + " |\n";
   return text;
 }
 

@@ -20,7 +20,7 @@
 #include "support/program.hpp"
 
 namespace jetlag {
-void PrintTo(const MethodPage& page, std::ostream* out) { *out << page.name; }
+void PrintTo(const MethodRecord& page, std::ostream* out) { *out << page.name; }
 }  // namespace jetlag
 
 namespace jetlag::testing::methods_test {
@@ -49,21 +49,21 @@ TEST(Methods, HaveAPageEachAndNothingElseHas) {
        {std::pair<std::string, std::vector<std::string>>{"integrator.type", integrator_types()},
         {"schedule.type", clocks}}) {
     std::vector<std::string> pages;
-    for (const MethodPage& page : method_pages())
+    for (const MethodRecord& page : method_records())
       if (page.named_by == named_by) pages.push_back(page.name);
     for (const std::string& name : missing(names, pages))
       ADD_FAILURE() << named_by << " \"" << name
-                    << "\" has no page: add its entry to a list in src/scenes/method_register_*.cpp";
+                    << "\" has no page: add its entry to a list in src/scenes/methods";
     for (const std::string& name : missing(pages, names))
-      ADD_FAILURE() << "the page of \"" << name << "\" in src/scenes/method_register_*.cpp is of no "
+      ADD_FAILURE() << "the page of \"" << name << "\" in src/scenes/methods is of no "
                     << named_by;
     types += names.size();
   }
-  EXPECT_EQ(method_pages().size(), types) << "a method has two pages in src/scenes/method_register_*.cpp";
+  EXPECT_EQ(method_records().size(), types) << "a method has two pages in src/scenes/methods";
 }
 
-class MethodPages : public ::testing::TestWithParam<MethodPage> {};
-INSTANTIATE_TEST_SUITE_P(, MethodPages, ::testing::ValuesIn(method_pages()),
+class MethodPages : public ::testing::TestWithParam<MethodRecord> {};
+INSTANTIATE_TEST_SUITE_P(, MethodPages, ::testing::ValuesIn(method_records()),
                          [](const auto& info) { return info.param.name; });
 
 // ---- sections ----------------------------------------------------------------------------------------------
@@ -135,11 +135,10 @@ TEST(Methods, AreDescribedByTheWholeCommentOnTopAndTheWholeDocstring) {
   EXPECT_EQ(avi.docstring, "");
 }
 
-TEST_P(MethodPages, NameSourcesThatTheReadmeLists) {
+TEST_P(MethodPages, NameSourcesThatAreListed) {
   const auto sources = sources_of(GetParam().declared);
   EXPECT_FALSE(sources.empty());
-  const std::string readme = content(source / "README.md");
-  const std::string list = readme.substr(readme.find("\n## Sources\n"));
+  const std::string list = content(source / "doc/sources.md");
   for (const std::string& text : sources)
     for (auto open = text.find('['); open != std::string::npos; open = text.find('[', open + 1)) {
       const std::string tag = text.substr(open, text.find(']', open) + 1 - open);
@@ -198,7 +197,7 @@ TEST_P(MethodPages, HaveExamplesThatRun) {
 }
 
 TEST_P(MethodPages, ListKeysThatAreReadWithTheirDefaults) {
-  const MethodPage& page = GetParam();
+  const MethodRecord& page = GetParam();
   std::set<std::string> listed;
   for (const SceneKey& key : page.keys) {
     EXPECT_TRUE(listed.insert(key.key).second) << key.key << " is listed twice";
@@ -229,7 +228,7 @@ TEST_P(MethodPages, ListKeysThatAreReadWithTheirDefaults) {
 TEST_P(MethodPages, ListEveryKeyThatIsRead) {
   // An unknown key is refused with those that are allowed there. A clock schedule takes the keys of its integrator too,
   // which are on the page of that.
-  const MethodPage& page = GetParam();
+  const MethodRecord& page = GetParam();
   std::set<std::string> listed = {page.named_by};
   for (const SceneKey& key : page.keys) listed.insert(key.key);
   for (const std::string& example : page.examples)

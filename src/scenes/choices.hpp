@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The registers of what a scene chooses from, beside its method: forces, controls, truncation laws, generators of
+// particles. Each has a record with its name, its keys and its reader: scenes are checked by it, and pages print it.
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "jetlag/control/control.hpp"
+#include "jetlag/truncation/sequential.hpp"
+#include "scenes/keys.hpp"
+#include "scenes/parts.hpp"
+#include "scenes/reader.hpp"
+
+namespace jetlag {
+
+struct ControlRecord {
+  std::string name;  // in a scene
+  std::string what;  // one line
+  SceneKeys keys;    // beside type and courant, without "control."
+  std::unique_ptr<Control> (*read)(const Value& control, const TruncationLaw& law);
+  bool reads_variance = false;  // of the law
+};
+const std::vector<ControlRecord>& control_records();
+
+struct LawRecord {
+  std::string name;  // in a scene
+  std::string what;  // one line
+  SceneKeys keys;    // without "integrator."
+  Truncation (*read)(const Value& integrator);
+};
+const std::vector<LawRecord>& law_records();
+
+struct ForceRecord {
+  std::string name;  // in a scene: the name of the law
+  std::string what;  // one line
+  SceneKeys keys;    // beside type, without "forces[]."
+  /// Adds its elements to the system. up: a direction, shape (dimension). Returns the pairs to draw.
+  std::vector<std::array<int, 2>> (*read)(const Value& force, const Particles& particles,
+                                          const std::vector<double>& up, System<double>& system);
+};
+const std::vector<ForceRecord>& force_records();
+
+/// Where particles come from: the key that says so is the name of the choice.
+const std::vector<Choice>& particle_choices();
+
+/// The keys of a scene beside those of these registers; with a point those of a part of it.
+const SceneKeys& scene_keys();
+
+}  // namespace jetlag
