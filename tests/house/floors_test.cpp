@@ -55,7 +55,7 @@ const std::vector<Room> house = {
       "schedule", "output", "pictures", "scenes", "runs"},
      {"pictures", "problems", "scenes", "command_line"}},
     {"program",
-     {"tape", "model", "motion", "truncation", "control", "output", "scenes", "runs"},
+     {"base", "tape", "model", "motion", "truncation", "control", "output", "scenes", "runs"},
      {"pictures", "scenes", "command_line"}},
     // The two programs, and the umbrella header, which nobody in the house includes.
     {"src/main.cpp", {"model"}, {"program"}},

@@ -82,7 +82,7 @@ std::string markdown(const MethodRecord& record) {
         "- `" + proof.number + "`: " + proof.claim + ". `" + proof.test + "` in `tests/" + proof.file + "`\n";
   text += "\n## Source\n\n";
   for (const std::string& source : sources_of(record.declared)) text += "- " + source + "\n";
-  return text + "\nWhat stands in square brackets is in the list of sources, doc/sources.md.\n";
+  return text + "\nWhat stands in square brackets is in the list of sources, include/jetlag/sources.md.\n";
 }
 
 std::string markdown_index(const std::vector<MethodRecord>& records) {

@@ -138,7 +138,7 @@ TEST(Methods, AreDescribedByTheWholeCommentOnTopAndTheWholeDocstring) {
 TEST_P(MethodPages, NameSourcesThatAreListed) {
   const auto sources = sources_of(GetParam().declared);
   EXPECT_FALSE(sources.empty());
-  const std::string list = content(source / "doc/sources.md");
+  const std::string list = content(source / "include/jetlag/sources.md");
   for (const std::string& text : sources)
     for (auto open = text.find('['); open != std::string::npos; open = text.find('[', open + 1)) {
       const std::string tag = text.substr(open, text.find(']', open) + 1 - open);

@@ -112,7 +112,7 @@ TEST(Qss, FollowsForcesOfTheTimeAndFloorsByItsLongestStep) {
 
 TEST(Qss, RefusesForcesThatChangeUnnoticed) {
   EXPECT_THAT([] { Qss(shaken().system, coarse); },
-              ThrowsMessage<std::invalid_argument>(HasSubstr("shaken depends on the time: give a max_step")));
+              ThrowsMessage<std::invalid_argument>(HasSubstr("shaker depends on the time: give a max_step")));
   EXPECT_THAT([] { Qss(bounce().system, coarse); },
               ThrowsMessage<std::invalid_argument>(HasSubstr("floor has a border")));
 }
