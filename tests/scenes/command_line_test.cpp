@@ -54,6 +54,23 @@ TEST(CommandLine, NamesAFolderThatCannotBeMadeAndWhy) {
                                 Not(HasSubstr("filesystem error"))));
 }
 
+TEST(CommandLine, BecomesTheProgramOfTheStudies) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(program("study --help", folder.path()).output, HasSubstr("Usage: jetlag study"));
+  const Ended refused = program("study ruler --steps 0", folder.path());
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.output, HasSubstr("--steps"));
+}
+
+TEST(CommandLine, SaysHowToBuildTheStudiesWhereThereAreNone) {
+  const TemporaryFolder folder;
+  const Ended alone =
+      program("--version && cp '" JETLAG_PROGRAM "' jetlag && ./jetlag study kepler 2>&1", folder.path());
+  EXPECT_EQ(alone.exit_code, 1);
+  EXPECT_THAT(alone.output,
+              AllOf(HasSubstr("jetlag-study: No such file"), HasSubstr("./run study"), HasSubstr("CMake")));
+}
+
 class Signal : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Signal, EndsARunInGoodOrder) {
