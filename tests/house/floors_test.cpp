@@ -150,6 +150,7 @@ std::vector<std::string> offences(const fs::path& unresolved_root) {
         found.push_back(fs::relative(file, root).generic_string() + ": " + what);
       };
       const std::string extension = file.extension();
+      if (extension == ".md") continue;  // for people
       if (extension != ".hpp" && extension != ".cpp") {
         report("is neither .hpp nor .cpp");
         continue;
