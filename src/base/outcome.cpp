@@ -16,4 +16,15 @@ const char* to_string(Outcome outcome) {
   return "unknown";
 }
 
+Report step_limit(std::uint64_t max_steps, double time, const std::string& advice) {
+  return {Outcome::step_limit,
+          "the largest number of steps, " + std::to_string(max_steps) +
+              ", is used up at t = " + std::to_string(time) + "; allow more or " + advice,
+          -1};
+}
+
+Report interrupted(double time) {
+  return {Outcome::interrupted, "stopped at t = " + std::to_string(time), -1};
+}
+
 }  // namespace jetlag
