@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The problems on which peers run, and what all adaptors share.
 
-#include <time.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -149,12 +147,6 @@ double elements(const System<double>& system) {
   std::size_t count = 0;
   for (const auto& each : system.elements()) count += each.count();
   return static_cast<double>(count);
-}
-
-double processor_seconds() {
-  timespec t;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
 EqualSteps::EqualSteps(double until, double h)

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "jetlag/base/stopwatch.hpp"
 #include "jetlag/integrators/accelerations.hpp"
 
 namespace jetlag::bench {
@@ -92,7 +93,6 @@ std::vector<double> flat(const State<double>& state);
 State<double> state_of(const double* y, const Problem& problem);
 
 double elements(const System<double>& system);
-double processor_seconds();
 
 /// `until` in equal steps of at most h.
 struct EqualSteps {

@@ -4,12 +4,12 @@
 // Exit codes: 0 success; 1 a file or folder cannot be written; 2 bad input, nothing is written; 3 the run did not reach its end.
 
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <optional>
 
+#include "jetlag/base/stopwatch.hpp"
 #include "jetlag/control/courant.hpp"
 #include "jetlag/motion/expansion.hpp"
 #include "jetlag/runs/run_scene.hpp"
@@ -89,13 +89,13 @@ void check(const SceneArguments& arguments) {
   series.start(scene.initial);
   series.grow_to(orders + 1);
   int repeats = 0;
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   double elapsed = 0;
   do {
     series.start(scene.initial);
     series.grow_to(orders + 1);
     ++repeats;
-    elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    elapsed = watch.seconds();
   } while (elapsed < 0.05);
   std::printf("  memory      %.3g MB of series\n", static_cast<double>(series.bytes()) / 1e6);
   const char* about = scene.orders_at_least ? "at least" : "about";

@@ -3,12 +3,12 @@
 // What the commands of the program have in common.
 
 #include <CLI/App.hpp>
-#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "jetlag/base/stopwatch.hpp"
 #include "jetlag/scenes/scene.hpp"
 
 namespace jetlag {
@@ -43,9 +43,8 @@ class ProgressLine {
   void show(double time, double until, std::uint64_t count, const char* what);
 
  private:
-  using Clock = std::chrono::steady_clock;
   bool quiet_, terminal_, shown_ = false;
-  Clock::time_point start_, last_;
+  Stopwatch since_begin_, since_shown_;
 };
 
 }  // namespace jetlag

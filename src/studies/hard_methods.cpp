@@ -10,13 +10,13 @@
 #include <limits>
 #include <memory>
 
+#include "jetlag/base/stopwatch.hpp"
 #include "jetlag/model/energy.hpp"
 #include "jetlag/output/files.hpp"
 #include "jetlag/scenes/error.hpp"
 #include "scenes/parts.hpp"
 #include "studies/command_line.hpp"
 #include "studies/hard_cases.hpp"
-#include "studies/processor_time.hpp"
 
 namespace jetlag {
 

@@ -2,11 +2,11 @@
 #include "studies/reference_table.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <memory>
 
+#include "jetlag/base/stopwatch.hpp"
 #include "studies/reference_problems.hpp"
 
 namespace jetlag {
@@ -18,9 +18,9 @@ int run_table(int degree) {
               degree);
   std::printf("%-47s %8s %12s %7s %9s  %s\n", "problem", "until", "outcome", "steps", "error", "wall [s]");
   for (const ReferenceProblem& problem : reference_problems()) {
-    const auto begin = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const ReferenceSolution solution = problem.solve(degree, {});
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    const double seconds = watch.seconds();
     const auto& values = reference_values().at(problem.name);
     double error = 0;
     for (std::size_t i = 0; i < values.size(); ++i)

@@ -11,13 +11,13 @@
 #include <limits>
 #include <stdexcept>
 
+#include "jetlag/base/stopwatch.hpp"
 #include "jetlag/model/energy.hpp"
 #include "jetlag/output/files.hpp"
 #include "jetlag/pictures/pictures.hpp"
 #include "jetlag/scenes/error.hpp"
 #include "scenes/parts.hpp"
 #include "studies/competitors.hpp"
-#include "studies/processor_time.hpp"
 #include "studies/test_problems.hpp"
 #include "studies/work_precision_chart.hpp"
 
