@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "jetlag/runs/run_scene.hpp"
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
 #include <sstream>
 
-#include "jetlag/integrators/integrator.hpp"
+#include "jetlag/model/finite.hpp"
 #include "jetlag/output/clocks.hpp"
 #include "jetlag/output/files.hpp"
 #include "jetlag/output/vtu.hpp"
 #include "jetlag/pictures/pictures.hpp"
+#include "jetlag/runs/run_scene.hpp"
 #include "jetlag/tape/kernels.hpp"
 #include "jetlag/version.hpp"
 
@@ -210,19 +209,19 @@ RunResult run_schedule(const Scene& scene, Schedule& schedule, const RunHooks& h
   RunOptions options;
   options.largest = largest_number;
   options.max_steps = scene.max_steps;
-  options.frame_times = recorder.times();
+  options.observer.frame_times = recorder.times();
   const auto untimed = [&](const auto& f) {
     const auto begin = Clock::now();
     f();
     recording += seconds_since(begin);
   };
-  options.at_frame = [&](const State<double>& at) { untimed([&] { recorder.record(at); }); };
+  options.observer.at_frame = [&](const State<double>& at) { untimed([&] { recorder.record(at); }); };
   if (result.clocks)
-    options.on_update = [&](const Update& update) { untimed([&] { result.clocks->add(update); }); };
-  options.go_on = [&](double time) {
+    options.observer.on_update = [&](const Update& update) { untimed([&] { result.clocks->add(update); }); };
+  options.observer.after_step = [&](const StepView& step) {
     bool go_on = recorder.failure().outcome == Outcome::success;
     if (go_on && hooks.after_step)
-      untimed([&] { go_on = hooks.after_step({time, scene.until, schedule.work().steps}); });
+      untimed([&] { go_on = hooks.after_step({step.end(), scene.until, schedule.work().steps}); });
     return go_on;
   };
   Report report = schedule.run(state, scene.until, options);

@@ -144,7 +144,9 @@ HardResult run_hard_case(const HardCase& hard, const HardMethod& method, double 
     const auto schedule = read(method.has_step ? step_for(hard, read, evaluations) : 0.0).schedule();
     RunOptions options;
     int calls = 0;
-    options.go_on = [&](double) { return ++calls % 64 != 0 || processor_seconds() - start < limit; };
+    options.observer.after_step = [&](const StepView&) {
+      return ++calls % 64 != 0 || processor_seconds() - start < limit;
+    };
     const Report report = schedule->run(state, hard.until, options);
     result.seconds = processor_seconds() - start;
     result.evaluations =

@@ -65,7 +65,9 @@ Row run(const TestProblem& problem, const Competitor& competitor, double step, i
     const double start = processor_seconds();
     RunOptions options;
     int calls = 0;
-    options.go_on = [&](double) { return ++calls % 64 != 0 || processor_seconds() - start < limit; };
+    options.observer.after_step = [&](const StepView&) {
+      return ++calls % 64 != 0 || processor_seconds() - start < limit;
+    };
     const Report report = schedule->run(state, problem.until, options);
     double seconds = processor_seconds() - start;
     for (int repeat = 0; repeat < 2 && seconds < longest_repeated; ++repeat) {

@@ -19,23 +19,19 @@
 
 namespace jetlag {
 
-/// What can be asked about the step that was taken last.
-class LastStep {
+class Integrator {
  public:
-  virtual ~LastStep() = default;
+  virtual ~Integrator() = default;
 
-  /// The motion during it: begin is the time at its beginning.
-  virtual Piece piece() const = 0;
-
-  virtual const Work& work() const = 0;
-};
-
-class Integrator : public LastStep {
- public:
   /// One step of at most `limit` [s]: the length the control proposes, or `limit` where that is shorter. state.time
   /// is the beginning of the step and stays so: the caller keeps the time. Rests of the state are kept by methods with
   /// compensated sums and dropped by others. Returns the length; on failure 0.
   virtual double step(State<double>& state, double limit, Report& report) = 0;
+
+  /// The motion during the step that was taken last: begin is the time at its beginning.
+  virtual Piece piece() const = 0;
+
+  virtual const Work& work() const = 0;
 };
 
 /// The report for a step h that does not change the time: names the fastest particle.
