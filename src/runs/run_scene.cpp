@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "jetlag/model/finite.hpp"
-#include "jetlag/output/clocks.hpp"
+#include "jetlag/output/clock_table.hpp"
 #include "jetlag/output/files.hpp"
 #include "jetlag/output/vtu.hpp"
 #include "jetlag/pictures/pictures.hpp"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "jetlag/output/clocks.hpp"
+#include "jetlag/output/clock_table.hpp"
 #include "jetlag/output/energy_table.hpp"
 #include "jetlag/output/shape.hpp"
 #include "jetlag/output/summary.hpp"
