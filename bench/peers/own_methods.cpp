@@ -24,7 +24,9 @@ Ending ending(const PeerProblem& problem, const Asked& asked, Schedule& schedule
   const double deadline = processor_seconds() + asked.seconds;
   std::uint32_t steps = 0;
   RunOptions options;
-  options.go_on = [&](double) { return ++steps % 1024 != 0 || processor_seconds() < deadline; };
+  options.observer.after_step = [&](const StepView&) {
+    return ++steps % 1024 != 0 || processor_seconds() < deadline;
+  };
   Ending result{problem.start};
   const Report report = schedule.run(result.state, problem.until, options);
   result.evaluations = static_cast<double>(schedule.work().element_coefficients) /

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "jetlag/base/stopwatch.hpp"
 #include "jetlag/integrators/accelerations.hpp"
 #include "problems/problem.hpp"
 
@@ -86,8 +87,6 @@ class Forces {
 /// (x, v) row after row, and back.
 std::vector<double> flat(const State<double>& state);
 State<double> state_of(const double* y, const PeerProblem& problem);
-
-double processor_seconds();
 
 /// `until` in equal steps of at most h.
 struct EqualSteps {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The problems on which peers run, and what all adaptors share.
 
-#include <time.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -132,12 +130,6 @@ State<double> state_of(const double* y, const PeerProblem& problem) {
   std::copy_n(y, n, state.position.data());
   std::copy_n(y + n, n, state.velocity.data());
   return state;
-}
-
-double processor_seconds() {
-  timespec t;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
 EqualSteps::EqualSteps(double until, double h)

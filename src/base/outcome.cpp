@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "jetlag/base/outcome.hpp"
 
+#include "jetlag/base/text.hpp"
+
 namespace jetlag {
 
 const char* to_string(Outcome outcome) {
@@ -15,5 +17,14 @@ const char* to_string(Outcome outcome) {
   }
   return "unknown";
 }
+
+Report step_limit(std::uint64_t max_steps, double time, const std::string& advice) {
+  return {Outcome::step_limit,
+          "the largest number of steps, " + std::to_string(max_steps) + ", is used up at t = " + shown(time) +
+              "; allow more or " + advice,
+          -1};
+}
+
+Report interrupted(double time) { return {Outcome::interrupted, "stopped at t = " + shown(time), -1}; }
 
 }  // namespace jetlag

@@ -29,19 +29,17 @@ void stop_in_good_order() {
 
 bool stop_requested() { return stop; }
 
-ProgressLine::ProgressLine(bool quiet)
-    : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0), start_(Clock::now()), last_(start_) {}
+ProgressLine::ProgressLine(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
 
 ProgressLine::~ProgressLine() {
   if (shown_ && terminal_) std::fprintf(stderr, "\r%*s\r", 78, "");
 }
 
 void ProgressLine::show(double time, double until, std::uint64_t count, const char* what) {
-  const auto now = Clock::now();
-  if (quiet_ || now - last_ < std::chrono::milliseconds(terminal_ ? 100 : 3000)) return;
-  last_ = now;
+  if (quiet_ || since_shown_.seconds() < (terminal_ ? 0.1 : 3)) return;
+  since_shown_ = {};
   shown_ = true;
-  const double elapsed = std::chrono::duration<double>(now - start_).count();
+  const double elapsed = since_begin_.seconds();
   const double done = time / until;
   std::fprintf(stderr, "%s%5.1f %%   t = %.4g s of %.4g s   %llu %s   %.3g s left   %s",
                terminal_ ? "\r" : "", 100 * done, time, until, static_cast<unsigned long long>(count), what,

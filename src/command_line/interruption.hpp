@@ -2,8 +2,9 @@
 #pragma once
 // What long commands have in common: they can be stopped in good order, and say how far they are.
 
-#include <chrono>
 #include <cstdint>
+
+#include "jetlag/base/stopwatch.hpp"
 
 namespace jetlag {
 
@@ -22,9 +23,8 @@ class ProgressLine {
   void show(double time, double until, std::uint64_t count, const char* what);
 
  private:
-  using Clock = std::chrono::steady_clock;
   bool quiet_, terminal_, shown_ = false;
-  Clock::time_point start_, last_;
+  Stopwatch since_begin_, since_shown_;
 };
 
 }  // namespace jetlag

@@ -67,7 +67,7 @@ class OneByOne final : public RandomEnsemble::Members {
 
   Work work() const override {
     Work all;
-    steppers_.each([&](const RandomTaylor& taylor) { add(taylor.work(), all); });
+    steppers_.each([&](const RandomTaylor& taylor) { all += taylor.work(); });
     return all;
   }
   std::uint64_t orders() const override {
@@ -144,22 +144,6 @@ std::uint64_t member_seed(std::uint64_t seed, std::uint64_t member) {
   constexpr std::uint32_t stream = 0x6d656d62;
   const auto bits = Philox()({{low(member), high(member), 0, stream}}, {{low(seed), high(seed)}});
   return static_cast<std::uint64_t>(bits[0]) << 32 | bits[1];
-}
-
-Report step_limit(std::uint64_t max_steps, double time) {
-  return {Outcome::step_limit,
-          "the largest number of steps, " + std::to_string(max_steps) + ", is used up at t = " + shown(time) +
-              "; allow more or take longer steps",
-          -1};
-}
-
-void add(const Work& work, Work& to) {
-  to.steps += work.steps;
-  to.updates += work.updates;
-  to.coefficients += work.coefficients;
-  to.element_coefficients += work.element_coefficients;
-  to.degrees += work.degrees;
-  to.rejected += work.rejected;
 }
 
 RandomEnsemble::RandomEnsemble(const System<double>& system, const SeriesMethod& method,

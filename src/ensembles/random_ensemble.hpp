@@ -31,10 +31,4 @@ std::unique_ptr<RandomEnsemble::Members> members_in_lanes(const System<double>& 
 /// Whether a system is small enough for lanes to be faster.
 bool fits_lanes(const System<double>& system);
 
-/// The report where the largest number of steps is used up.
-Report step_limit(std::uint64_t max_steps, double time);
-
-/// As + for each number of the work.
-void add(const Work& work, Work& to);
-
 }  // namespace jetlag

@@ -36,7 +36,7 @@ class InLanes final : public RandomEnsemble::Members {
   State<double> state(std::size_t i) const override;
   Work work() const override {
     Work all;
-    for (const Block& block : blocks_) add(block.work, all);
+    for (const Block& block : blocks_) all += block.work;
     return all;
   }
   std::uint64_t orders() const override {

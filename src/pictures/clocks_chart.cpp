@@ -5,7 +5,8 @@
 #include <limits>
 #include <utility>
 
-#include "jetlag/output/clocks.hpp"
+#include "jetlag/output/clock_table.hpp"
+#include "jetlag/pictures/pictures.hpp"
 #include "pictures/canvas.hpp"
 #include "pictures/film.hpp"
 

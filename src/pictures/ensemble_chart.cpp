@@ -7,6 +7,7 @@
 
 #include "jetlag/base/text.hpp"
 #include "jetlag/output/ensemble_table.hpp"
+#include "jetlag/pictures/pictures.hpp"
 #include "pictures/axes.hpp"
 #include "pictures/gnuplot.hpp"
 

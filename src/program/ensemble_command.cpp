@@ -45,7 +45,7 @@ void print(const EnsembleResult& result, const std::filesystem::path& folder) {
   row(("true error of fixed degree " + std::to_string(result.deterministic_degree)).c_str(),
       c.deterministic_error, result.perturbation == 0);  // else the spread is that of where the members start
   std::printf("  (root mean squares over the positions of all moving particles at all frames)\n");
-  for (const char* name : {"ensemble.json", "ensemble.csv", "ensemble.svg", "scene.json"})
+  for (const char* name : ensemble_files)
     if (std::filesystem::exists(folder / name)) std::printf("  %s\n", (folder / name).string().c_str());
 }
 

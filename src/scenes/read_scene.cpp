@@ -20,9 +20,10 @@ namespace {
 
 OutputOptions read_output(const Value& output) {
   output.only(allowed(scene_keys(), "output"));
-  return {static_cast<int>(output.at("frames", 100).integer(1, 1'000'000)),
-          output.at("energy", true).boolean(), output.at("pictures", true).boolean(),
-          output.at("clocks", false).boolean()};
+  OutputOptions options;
+  options.frames = static_cast<int>(output.at("frames", options.frames).integer(1, 1'000'000));
+  for (const auto& [name, asked] : output_keys) options.*asked = output.at(name, options.*asked).boolean();
+  return options;
 }
 
 /// The axis nearest to the way up: against the uniform fields, or out of the first floor, or else the second.

@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "jetlag/base/step_length.hpp"
 #include "jetlag/base/text.hpp"
 #include "schedule/local_motion.hpp"
 
@@ -23,7 +24,7 @@ Ticks::Count times(double factor, Ticks::Count ticks) {
 }  // namespace
 
 Asynchronous::Asynchronous(const System<double>& system, TruncationLaw law, const Options& options)
-    : ClockSchedule(system, std::move(law), options), grading_(options.grading), notify_(options.notify) {
+    : ParticleClocks(system, std::move(law), options), grading_(options.grading), notify_(options.notify) {
   if (!(grading_ >= 1))
     throw std::invalid_argument("Asynchronous: grading must be at least 1, got " + shown(grading_));
   require_positive("Asynchronous: notify", notify_, true);

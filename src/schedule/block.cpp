@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "jetlag/base/step_length.hpp"
 #include "schedule/local_motion.hpp"
 
 namespace jetlag {
@@ -48,7 +49,7 @@ struct BlockSteps::Group {
 };
 
 BlockSteps::BlockSteps(const System<double>& system, TruncationLaw law, const Options& options)
-    : ClockSchedule(system, std::move(law), options), grading_(options.grading) {
+    : ParticleClocks(system, std::move(law), options), grading_(options.grading) {
   if (grading_ < 0)
     throw std::invalid_argument("BlockSteps: grading must be at least 0, got " + std::to_string(grading_));
 }

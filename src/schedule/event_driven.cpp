@@ -3,77 +3,80 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "jetlag/base/text.hpp"
-#include "schedule/frames.hpp"
+#include "schedule/observing.hpp"
 
 namespace jetlag {
 
 /// What an observer sees of the motion between two events.
-class EventDriven::Between final : public LastStep {
+class EventDriven::Between final : public StepView {
  public:
-  Between(const EventDriven& motion, double begin, double end) : motion_(motion), begin_(begin), end_(end) {}
-  Piece piece() const override { return motion_.piece(begin_, end_); }
+  Between(const EventDriven& motion, double begin, double end, bool ends_at_event)
+      : StepView(begin, end), motion_(motion), ends_at_event_(ends_at_event) {}
+  const State<double>& state() const override {
+    if (!state_) state_ = ends_at_event_ ? motion_.at_next() : motion_.at(end());
+    return *state_;
+  }
+  Piece piece() const override { return motion_.piece(begin(), end()); }
   const Work& work() const override { return motion_.work(); }
 
  private:
   const EventDriven& motion_;
-  double begin_, end_;
+  bool ends_at_event_;
+  mutable std::optional<State<double>> state_;
 };
 
-bool EventDriven::continues(const State<double>& state) const {
+bool EventDriven::continues(const State<double>& state, double until) const {
   const auto same = [](const Coordinates<double>& a, const Coordinates<double>& b) {
     return a.rows() == b.rows() && a.cols() == b.cols() && a == b;
   };
   return handed_out_.position.size() > 0 && state.time == handed_out_.time &&
-         same(state.position, handed_out_.position) && same(state.velocity, handed_out_.velocity);
+         same(state.position, handed_out_.position) && same(state.velocity, handed_out_.velocity) &&
+         reaches(until);
 }
 
 Report EventDriven::run(State<double>& state, double until, const RunOptions& options) {
-  if (!(until >= state.time))
-    throw std::invalid_argument("run: until must not lie before the time of the state");
+  require_not_before(state, until);
   if (!options.events.empty())
     throw std::invalid_argument("run: events need one clock for all particles; " + clocks_);
   if (until == state.time) return {};
   Report report;
-  if (!continues(state)) {
+  if (!continues(state, until)) {
     handed_out_ = {};
-    if (!begin(state, report)) return report;
+    if (!begin(state, until, report)) return report;
   }
-  Frames frames(options, state.time);
-  const auto hand_out = [&](double time) { handed_out_ = state = at(time); };
+  const Observer& observer = options.observer;
+  Frames frames(observer, state.time);
 
   double start = state.time;
   for (std::uint64_t step = 0;; ++step) {
-    const double end = std::min(until, next_time());
-    frames.up_to(reach() <= until ? std::nextafter(reach(), start) : until, [&](double t) { return at(t); });
-    bool go_on = true;
-    if (end > start) {
-      if (options.after_step) go_on = options.after_step({Between(*this, start, end), at(end), start});
-      if (options.go_on) go_on = options.go_on(end) && go_on;
+    const double next = next_time(), end = std::min(until, next);
+    const Between between(*this, start, end, next < until);
+    const auto hand_out = [&] { handed_out_ = state = between.state(); };
+    const bool is_due = reach() <= until;
+    frames.up_to(is_due ? std::nextafter(reach(), start) : until, [&](double t) { return at(t); });
+    if (end > start && observer.after_step && !observer.after_step(between)) {
+      hand_out();
+      return interrupted(state.time);
     }
-    if (!go_on) {
-      hand_out(end);
-      return {Outcome::interrupted, "stopped at t = " + shown(state.time), -1};
+    if (!is_due) {
+      hand_out();
+      return {};
     }
-    if (!(reach() <= until)) break;
     if (step == options.max_steps) {
-      hand_out(end);
-      return {Outcome::step_limit,
-              "the largest number of steps, " + std::to_string(options.max_steps) +
-                  ", is used up at t = " + shown(state.time) + "; allow more or " + advice_,
-              -1};
+      hand_out();
+      return step_limit(options.max_steps, state.time, advice_);
     }
     start = end;
-    if (!next_event(options, report)) {
-      state = at(last_);
+    if (!next_event(observer, report)) {
+      if (last_ > state.time) state = at_last();
       handed_out_ = {};  // nothing to go on from
       return report;
     }
   }
-  hand_out(until);
-  return {};
 }
 
 }  // namespace jetlag

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "jetlag/model/element_blocks.hpp"
+#include "jetlag/model/finite.hpp"
 
 namespace jetlag {
 
@@ -105,7 +106,7 @@ State<double> Impulses::at(double time) const {
 }
 
 /// Half an impulse of every clock.
-bool Impulses::begin(const State<double>& state, Report& report) {
+bool Impulses::begin(const State<double>& state, double /*until*/, Report& report) {
   const std::size_t n = push_.size();
   require_shape(state, static_cast<int>(n), dimension_);
   origin_ = last_ = state.time;
@@ -170,7 +171,7 @@ bool Impulses::schedule(int number, Report& report) {
 }
 
 /// The particles of a clock go on to this time. On failure none of them is anywhere new that is not finite.
-bool Impulses::drift(const Clock& clock, double time, const RunOptions& options, Report& report) {
+bool Impulses::drift(const Clock& clock, double time, const Observer& observer, Report& report) {
   for (const int i : clock.particles) {
     const double h = time - own_time_[i];
     if (h <= 0) continue;
@@ -179,7 +180,7 @@ bool Impulses::drift(const Clock& clock, double time, const RunOptions& options,
         report = not_finite("the position of", i, time);
         return false;
       }
-    if (options.on_update) options.on_update({i, own_time_[i], h, 1});
+    if (observer.on_update) observer.on_update({i, own_time_[i], h, 1});
     for (int c = 0; c < dimension_; ++c) x_[i * stride_ + c] += h * v_[i * stride_ + c];
     own_time_[i] = time;
   }
@@ -239,7 +240,7 @@ Piece Impulses::piece(double begin, double end) const {
 }
 
 /// All clocks that ring at the next time, but for the rounding of times: 10 steps of 0.1 and one of 1 end together.
-bool Impulses::next_event(const RunOptions& options, Report& report) {
+bool Impulses::next_event(const Observer& observer, Report& report) {
   const double now = next_time(), end = together();
   ++work_.steps;
   ringing_.clear();
@@ -250,7 +251,7 @@ bool Impulses::next_event(const RunOptions& options, Report& report) {
   }
   std::ranges::sort(ringing_);
   for (const int number : ringing_)
-    if (!drift(clocks_[number], now, options, report)) return false;
+    if (!drift(clocks_[number], now, observer, report)) return false;
   for (const int number : ringing_) {
     Clock& clock = clocks_[number];
     if (!push(clock, now, 1.0, report)) return false;

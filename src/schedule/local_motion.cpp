@@ -328,10 +328,10 @@ State<double> LocalMotion::at_tick(Count now) const {
   return state_at(ticks_.time(now), [&](int i) { return ticks_.seconds(now - begin_[i]); });
 }
 
-Piece LocalMotion::piece(Count begin, double end) const {
+Piece LocalMotion::piece_about(double begin, double end, const std::function<double(int)>& since) const {
   const auto particles = static_cast<Eigen::Index>(begin_.size());
   const bool own = options_.velocity == VelocitySeries::own_series;
-  Piece piece{ticks_.time(begin), end, {}, {}, 1};
+  Piece piece{begin, end, {}, {}, 1};
   piece.position.assign(law_.max_degree() + 1, Coordinates<double>::Zero(particles, dimension_));
   piece.velocity.assign(law_.max_degree() + (own ? 1 : 0), Coordinates<double>::Zero(particles, dimension_));
   std::vector<double> x, v;
@@ -343,7 +343,7 @@ Piece LocalMotion::piece(Count begin, double end) const {
       for (int n = 0; n <= degree_[i]; ++n) x[n] = weights_[n] * c(n);
       for (int n = 0; n < degree_[i] + (own ? 1 : 0); ++n)
         v[n] = weights_[own ? n : n + 1] * ((n + 1) * c(n + 1));
-      const double s = ticks_.seconds(begin - begin_[i]);
+      const double s = since(i);
       taylor_shift(x, s);
       taylor_shift(v, s);
       for (std::size_t n = 0; n < x.size(); ++n) piece.position[n](i, d) = x[n];

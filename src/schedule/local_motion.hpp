@@ -4,6 +4,7 @@
 // the update of a group of particles at one tick.
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -15,7 +16,7 @@
 #include "jetlag/motion/expansion.hpp"
 #include "jetlag/motion/partial_expansion.hpp"
 #include "jetlag/motion/piece.hpp"
-#include "jetlag/schedule/clocks.hpp"
+#include "jetlag/schedule/clock_options.hpp"
 #include "jetlag/schedule/ticks.hpp"
 
 namespace jetlag {
@@ -85,8 +86,13 @@ class LocalMotion {
   /// The state at a time [s] or a tick, from all series.
   State<double> at(double t) const;
   State<double> at_tick(Count now) const;
-  /// All series about a tick.
-  Piece piece(Count begin, double end) const;
+  /// All series about a tick or a time [s].
+  Piece piece(Count begin, double end) const {
+    return piece_about(ticks_.time(begin), end, [&](int i) { return ticks_.seconds(begin - begin_[i]); });
+  }
+  Piece piece(double begin, double end) const {
+    return piece_about(begin, end, [&](int i) { return ticks_.since(begin_[i], begin); });
+  }
   /// The position of a particle on its present series, `ticks` after it began: shape (dimension).
   void position(int particle, Count ticks, double* x) const {
     evaluate(particle, ticks_.seconds(ticks), x, nullptr);
@@ -121,6 +127,7 @@ class LocalMotion {
       evaluate(i, since(i), state.position.row(i).data(), state.velocity.row(i).data());
     return state;
   }
+  Piece piece_about(double begin, double end, const std::function<double(int)>& since) const;
   template <int stride>
   void told(int particle, double* to, std::size_t next_order) const;
   template <int stride>

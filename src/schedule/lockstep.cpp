@@ -2,11 +2,11 @@
 #include "jetlag/schedule/lockstep.hpp"
 
 #include <cmath>
-#include <stdexcept>
 
 #include "jetlag/base/text.hpp"
+#include "jetlag/model/finite.hpp"
 #include "schedule/event_watch.hpp"
-#include "schedule/frames.hpp"
+#include "schedule/observing.hpp"
 
 namespace jetlag {
 
@@ -29,20 +29,30 @@ void tell_updates(const Piece& piece, double step, const std::function<void(cons
     on_update({i, piece.begin, step, degree_of(piece, i)});
 }
 
+/// What an observer sees of the last step of an integrator.
+class LastStep final : public StepView {
+ public:
+  LastStep(const Integrator& integrator, double begin, const State<double>& state)
+      : StepView(begin, state.time), integrator_(integrator), state_(state) {}
+  const State<double>& state() const override { return state_; }
+  Piece piece() const override { return integrator_.piece(); }
+  const Work& work() const override { return integrator_.work(); }
+
+ private:
+  const Integrator& integrator_;
+  const State<double>& state_;
+};
+
 }  // namespace
 
 Report Lockstep::run(State<double>& state, double until, const RunOptions& options) {
-  if (!(until >= state.time))
-    throw std::invalid_argument("run: until must not lie before the time of the state");
+  require_not_before(state, until);
   EventWatch events(options, state);
-  Frames frames(options, state.time);
+  const Observer& observer = options.observer;
+  Frames frames(observer, state.time);
   double lost = 0;  // what rounding has cut from state.time
   for (std::uint64_t step = 0; state.time < until; ++step) {
-    if (step >= options.max_steps)
-      return {Outcome::step_limit,
-              "the largest number of steps, " + std::to_string(options.max_steps) +
-                  ", is used up at t = " + shown(state.time) + "; allow more or take longer steps",
-              -1};
+    if (step >= options.max_steps) return step_limit(options.max_steps, state.time);
     Report report;
     const double begin = state.time, limit = (until - begin) - lost, lost_before = lost;
     const double h = integrator_->step(state, limit, report);
@@ -64,15 +74,14 @@ Report Lockstep::run(State<double>& state, double until, const RunOptions& optio
       if (report.outcome != Outcome::success && report.outcome != Outcome::event) return report;
       if (state.time != end) lost = lost_before;  // the step ends at an event, by the clock of its beginning
     }
-    if (options.on_update) tell_updates(integrator_->piece(), state.time - begin, options.on_update);
+    if (observer.on_update) tell_updates(integrator_->piece(), state.time - begin, observer.on_update);
     if (frames.wants(state.time)) {
       const Piece piece = integrator_->piece();
       frames.up_to(state.time, [&](double t) { return t == state.time ? state : piece.at(t); });
     }
-    const bool go_on = (!options.after_step || options.after_step({*integrator_, state, begin})) &&
-                       (!options.go_on || options.go_on(state.time));
+    const bool go_on = !observer.after_step || observer.after_step(LastStep(*integrator_, begin, state));
     if (report.outcome == Outcome::event) return report;
-    if (!go_on) return {Outcome::interrupted, "stopped at t = " + shown(state.time), -1};
+    if (!go_on) return interrupted(state.time);
   }
   return {};
 }

@@ -122,7 +122,7 @@ Report Qss::not_finite(const char* what, int particle, double time) const {
 }
 
 /// From the values alone: each pass over all particles gives their quantized polynomials one coefficient more.
-bool Qss::begin(const State<double>& state, Report& report) {
+bool Qss::begin(const State<double>& state, double /*until*/, Report& report) {
   require_shape(state, particles_, dimension_);
   last_ = state.time;
   told_.assign(particles_, state.time);
@@ -209,9 +209,9 @@ void Qss::schedule(int number, double time) {
   queue_.set(number, ordinal(component.due));
 }
 
-void Qss::tell(int particle, double time, const RunOptions& options) {
+void Qss::tell(int particle, double time, const Observer& observer) {
   const double begin = std::exchange(told_[particle], time);
-  if (!options.on_update || !(time > begin)) return;
+  if (!observer.on_update || !(time > begin)) return;
   int degree = options_.order;
   const auto is_zero = [&](int c) { return components_[number(0, particle, c)].x[degree] == 0; };
   const auto all_zero = [&] {
@@ -220,11 +220,11 @@ void Qss::tell(int particle, double time, const RunOptions& options) {
     return true;
   };
   while (degree > 0 && all_zero()) --degree;
-  options.on_update({particle, begin, time - begin, degree});
+  observer.on_update({particle, begin, time - begin, degree});
 }
 
 /// The first event that is due: q becomes x without its last coefficient, and all that depends on it is renewed.
-bool Qss::next_event(const RunOptions& options, Report& report) {
+bool Qss::next_event(const Observer& observer, Report& report) {
   const int v = queue_.clock(), kind = v / (particles_ * dimension_), i = v / dimension_ % particles_;
   Component& component = components_[v];
   const double now = component.due;
@@ -245,7 +245,7 @@ bool Qss::next_event(const RunOptions& options, Report& report) {
     return false;
   }
   last_ = now;
-  tell(i, now, options);
+  tell(i, now, observer);
   std::copy_n(component.x.begin(), options_.order, component.q.begin());
   component.q_time = now;
   ++work_.steps;

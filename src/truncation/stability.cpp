@@ -139,7 +139,8 @@ Real spectral_radius(const Eigen::Matrix<Real, 3, 3>& a) {
   Real x = a.cwiseAbs().rowwise().sum().maxCoeff();
   for (int iteration = 0; iteration < 1000; ++iteration) {
     const Eigen::Matrix<Real, 3, 3> b = x * Eigen::Matrix<Real, 3, 3>::Identity() - a;
-    const Real minor_0 = b(1, 1) * b(2, 2) - b(1, 2) * b(2, 1), minor_1 = b(0, 0) * b(2, 2) - b(0, 2) * b(2, 0),
+    const Real minor_0 = b(1, 1) * b(2, 2) - b(1, 2) * b(2, 1),
+               minor_1 = b(0, 0) * b(2, 2) - b(0, 2) * b(2, 0),
                minor_2 = b(0, 0) * b(1, 1) - b(0, 1) * b(1, 0);
     const Real value = b(0, 0) * minor_0 - b(0, 1) * (b(1, 0) * b(2, 2) - b(1, 2) * b(2, 0)) +
                        b(0, 2) * (b(1, 0) * b(2, 1) - b(1, 1) * b(2, 0));

@@ -123,10 +123,10 @@ TEST_P(BoundedEnergyIntegratorLaws, TheEnergyErrorDoesNotGrowWithTime) {
   EnergyMeter energy(scene.system);
   double first = 0, last = 0;
   RunOptions options;
-  options.after_step = [&](const StepView& view) {
-    const double error = std::abs(energy(view.state).total() + 0.5);
-    if (view.state.time < 10 * period) first = std::max(first, error);
-    if (view.state.time > 490 * period) last = std::max(last, error);
+  options.observer.after_step = [&](const StepView& view) {
+    const double error = std::abs(energy(view.state()).total() + 0.5);
+    if (view.end() < 10 * period) first = std::max(first, error);
+    if (view.end() > 490 * period) last = std::max(last, error);
     return true;
   };
   State<double> state = scene.start;

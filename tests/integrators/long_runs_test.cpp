@@ -73,9 +73,9 @@ PlanetRun run_planet(double e, int periods, bool compensated) {
   State<double> state = scene.start, before = scene.start;
   PlanetRun run{};
   RunOptions options;
-  options.after_step = [&](const StepView& view) {
-    run.roundings.add(before, view.state);
-    before = view.state;
+  options.observer.after_step = [&](const StepView& view) {
+    run.roundings.add(before, view.state());
+    before = view.state();
     return true;
   };
   Lockstep lockstep = degree_20(scene.system, compensated);

@@ -220,8 +220,8 @@ TEST(RoundingFloor, WhereNoStepIsLeftTheRunEnds) {
     double shortest = std::numeric_limits<double>::infinity();  // in roundings of the time
     RunOptions options;
     options.max_steps = 50'000;
-    options.after_step = [&](const StepView& view) {
-      shortest = std::min(shortest, (view.state.time - view.begin) / (eps * view.state.time));
+    options.observer.after_step = [&](const StepView& view) {
+      shortest = std::min(shortest, (view.end() - view.begin()) / (eps * view.end()));
       return true;
     };
     Lockstep lockstep(method.make(scene.system));

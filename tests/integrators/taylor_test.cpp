@@ -61,8 +61,8 @@ PlanetRun run_planet(double e, double until) {
   EnergyMeter energy(scene.system);
   PlanetRun run;
   RunOptions options;
-  options.after_step = [&](const StepView& view) {
-    run.energy_error = std::max(run.energy_error, std::abs(energy(view.state).total() + 0.5) / 0.5);
+  options.observer.after_step = [&](const StepView& view) {
+    run.energy_error = std::max(run.energy_error, std::abs(energy(view.state()).total() + 0.5) / 0.5);
     return true;
   };
   run.end = scene.start;

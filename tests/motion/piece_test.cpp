@@ -39,9 +39,9 @@ Walk walk(const Problem& scene, VelocitySeries velocity, bool shared_draw) {
                                                    std::make_unique<FixedStep>(0.125), options));
   Walk result;
   RunOptions run;
-  run.after_step = [&](const StepView& view) {
-    result.pieces.push_back(view.integrator.piece());
-    result.ends.push_back(view.state);
+  run.observer.after_step = [&](const StepView& view) {
+    result.pieces.push_back(view.piece());
+    result.ends.push_back(view.state());
     return true;
   };
   State<double> state = scene.start;
@@ -164,8 +164,8 @@ TEST(Piece, IsDenseOutputOfFullAccuracy) {
   Lockstep lockstep(taylor(scene.system, 20, std::make_unique<JorbaZou>()));
   int times = 0;
   RunOptions run;
-  run.after_step = [&](const StepView& view) {
-    const Piece piece = view.integrator.piece();
+  run.observer.after_step = [&](const StepView& view) {
+    const Piece piece = view.piece();
     for (int i = 0; i < 10; ++i) {
       const double t = piece.begin + uniform(1, i, times++) * (piece.end - piece.begin);
       const auto truth = kepler(e, t);

@@ -172,7 +172,7 @@ TEST(Trajectory, GrowsFromRunToRun) {
   State<double> state = scene.start;
   int steps = 0;
   RunOptions options;
-  options.after_step = [&](const StepView&) { return ++steps != 3; };
+  options.observer.after_step = [&](const StepView&) { return ++steps != 3; };
   Lockstep schedule = in_steps(scene, 0.25);
   EXPECT_EQ(record(schedule, state, 1.0, trajectory, options).outcome, Outcome::interrupted);
   EXPECT_EQ(trajectory.end(), 0.75);

@@ -70,9 +70,9 @@ TEST(Burrau, HasItsClosestApproach) {  // of masses 4 and 5, at t = 15.8299...; 
   EXPECT_NEAR(meter(burrau.start).total(), energy, 8 * eps);
   double closest = 1, found = 0;
   RunOptions options;
-  options.after_step = [&](const StepView& view) {
-    const Piece piece = view.integrator.piece();
-    for (double t : {view.begin, time, view.state.time}) {
+  options.observer.after_step = [&](const StepView& view) {
+    const Piece piece = view.piece();
+    for (double t : {view.begin(), time, view.end()}) {
       if (!piece.holds(t)) continue;
       const State<> state = piece.at(t);
       const double now = (state.position.row(1) - state.position.row(2)).norm();

@@ -58,9 +58,9 @@ TEST(CollapsedSpring, KeepsItsEnergyAndAngularMomentum) {
     const double energy = meter(state).total();
     double worst = 0, shortest = 1;
     RunOptions options;
-    options.after_step = [&](const StepView& view) {
-      worst = std::max(worst, std::abs(meter(view.state).total() - energy) / energy);
-      shortest = std::min(shortest, view.state.time - view.begin);
+    options.observer.after_step = [&](const StepView& view) {
+      worst = std::max(worst, std::abs(meter(view.state()).total() - energy) / energy);
+      shortest = std::min(shortest, view.end() - view.begin());
       return true;
     };
     Lockstep run(taylor(spring.system, 20, std::make_unique<JorbaZou>()));

@@ -74,13 +74,13 @@ TEST(BlockSteps, ChooseLevelsThatNestAndAreAtMostOneCoarserThanANeighbours) {
     int finest = 0, coarsest = 99, worst = 0;
     std::vector<std::uint64_t> updates(moving + 2, 0);
     RunOptions run;
-    run.after_step = [&](const StepView& view) {
+    run.observer.after_step = [&](const StepView& view) {
       for (int i = 1; i <= moving; ++i) {
         finest = std::max(finest, schedule.level_of(i));
         coarsest = std::min(coarsest, schedule.level_of(i));
         if (std::exchange(updates[i], schedule.updates_of(i)) == schedule.updates_of(i)) continue;
         // The longest step is the run, 1 s: a step of level l begins at a multiple of 2^-l.
-        const double begin = std::ldexp(view.begin, schedule.level_of(i));
+        const double begin = std::ldexp(view.begin(), schedule.level_of(i));
         EXPECT_EQ(begin, std::round(begin));
         for (int n : {i - 1, i + 1})
           if (n >= 1 && n <= moving) worst = std::max(worst, schedule.level_of(n) - schedule.level_of(i));
@@ -97,9 +97,9 @@ TEST(BlockSteps, EndAndShowFramesAtTheGivenTimes) {
   // The state at a frame is that of a run that ends there.
   const Problem scene = stiff_spot_in_a_chain(16, 1e3);
   RunOptions options;
-  options.frame_times = {0.1, 1.0 / 3.0, 0.7, 0.9};
+  options.observer.frame_times = {0.1, 1.0 / 3.0, 0.7, 0.9};
   std::vector<State<double>> frames;
-  options.at_frame = [&](const State<double>& state) { frames.push_back(state); };
+  options.observer.at_frame = [&](const State<double>& state) { frames.push_back(state); };
   State<double> state = scene.start;
   BlockSteps schedule(scene.system, 8, steps(1e-9, 0.25));
   ASSERT_EQ(schedule.run(state, 0.9, options).outcome, Outcome::success);
@@ -108,8 +108,8 @@ TEST(BlockSteps, EndAndShowFramesAtTheGivenTimes) {
   EXPECT_TRUE(same_bits(frames.back(), state));
   for (int i = 0; i < 3; ++i) {
     State<double> until = scene.start;
-    BlockSteps(scene.system, 8, steps(1e-9, 0.25)).run(until, options.frame_times[i], {});
-    EXPECT_EQ(frames[i].time, options.frame_times[i]);
+    BlockSteps(scene.system, 8, steps(1e-9, 0.25)).run(until, options.observer.frame_times[i], {});
+    EXPECT_EQ(frames[i].time, options.observer.frame_times[i]);
     EXPECT_LT(distance(frames[i], until), 1e-14);
   }
 }
@@ -145,7 +145,7 @@ TEST(BlockSteps, GiveTheSameBitsHoweverARunIsCut) {
   State<double> interrupted = scene.start;
   BlockSteps by_observer = schedule();
   RunOptions one;
-  one.after_step = [](const StepView&) { return false; };
+  one.observer.after_step = [](const StepView&) { return false; };
   while (by_observer.run(interrupted, 2.0, one).outcome == Outcome::interrupted) ++stops;
   EXPECT_TRUE(same_bits(interrupted, whole));
 }
@@ -198,6 +198,19 @@ TEST(BlockSteps, RecordAMotionWithoutJumps) {
     const auto& piece = motion.pieces()[p];
     EXPECT_LT(distance(motion.pieces()[p - 1].at(piece.begin), piece.at(piece.begin)), 1e-13);
   }
+}
+
+TEST(BlockSteps, RecordTheSameMotionHoweverARunIsCut) {
+  // A run that goes on between two updates shows its observer the rest of that step first.
+  const Scene scene = stiff_spot_in_a_chain(16, 1e3);
+  State<double> whole = scene.start, cut = scene.start;
+  BlockSteps at_once(scene.system, 10, steps(1e-11)), in_parts(scene.system, 10, steps(1e-11));
+  Trajectory one, parts;
+  ASSERT_EQ(record(at_once, whole, 1.0, one).outcome, Outcome::success);
+  for (const double until : {0.123, 0.5, 0.777, 1.0})
+    ASSERT_EQ(record(in_parts, cut, until, parts).outcome, Outcome::success);
+  EXPECT_GT(parts.pieces().size(), one.pieces().size());
+  for (int k = 0; k <= 100; ++k) EXPECT_LT(distance(one.at(0.01 * k), parts.at(0.01 * k)), 1e-13) << k;
 }
 
 TEST(BlockSteps, DrawTheirDegreesLikeLockstep) {

@@ -68,7 +68,7 @@ TYPED_TEST(ClockCourant, NoStepOfAParticleIsLonger) {
   TypeParam schedule(system, 8, options);
   RunOptions run;
   int updates = 0;
-  run.on_update = [&](const Update& update) {
+  run.observer.on_update = [&](const Update& update) {
     ++updates;
     EXPECT_LE(update.step, longest[update.particle]) << update.particle;
   };

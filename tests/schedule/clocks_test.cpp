@@ -149,7 +149,7 @@ TEST_P(Clocks, AreFastOnlyWhereASpringCollapses) {
     const auto schedule = GetParam().make(scene.system, 12, 1e-9);
     ASSERT_EQ(schedule->run(state, 2.0, {}).outcome, Outcome::success);
     EXPECT_TRUE(state.position.allFinite() && state.velocity.allFinite());
-    const auto& clocks = dynamic_cast<const ClockSchedule&>(*schedule);
+    const auto& clocks = dynamic_cast<const ParticleClocks&>(*schedule);
     for (int i = 2; i < 21; ++i) EXPECT_LE(clocks.updates_of(i + 1), clocks.updates_of(i)) << i;
     // The tolerance is one of positions: while an acceleration of 1 m/s^2 moves the mass by less than it, the force
     // may do what it likes, here turn round. That is a velocity of 2 sqrt(2 tolerance) at most, for a second.

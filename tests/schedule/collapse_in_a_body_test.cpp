@@ -38,7 +38,7 @@ Counted counted(const CollapsingBody& body, const System<double>& system) {
   Counted counted;
   counted.end = body.start;
   RunOptions run;
-  run.on_update = [&](const Update& update) {
+  run.observer.on_update = [&](const Update& update) {
     counted.shortest = std::min(counted.shortest, update.step);
     if (body.distance[update.particle] == 0 && update.begin <= lead && lead <= update.begin + update.step)
       counted.across = std::max(counted.across, update.step);

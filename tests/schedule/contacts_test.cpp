@@ -110,8 +110,8 @@ TEST(Contacts, AreEndsOfStepsToRounding) {
   State<double> state = bounce.start;
   double worst = 0;
   RunOptions options;
-  options.after_step = [&](const StepView& view) {
-    worst = std::max(worst, std::abs(energy(view.state).total() / Bounce::g - 1));
+  options.observer.after_step = [&](const StepView& view) {
+    worst = std::max(worst, std::abs(energy(view.state()).total() / Bounce::g - 1));
     return true;
   };
   const auto schedule = to_rounding(bounce.system, 0);
@@ -223,9 +223,9 @@ TEST(Contacts, OfTheEndsOfASpringComeAtTheTimesOfTheClosedForm) {
   State<double> state{0.0, Coordinates<double>{{0, 0}, {1, 0}}, Coordinates<double>{{0, 0}, {-1.2, 0}}};
   double soon = 0, late = 0;
   RunOptions options;
-  options.after_step = [&](const StepView& view) {
-    double& worst = view.state.time < 10 ? soon : late;
-    worst = std::max(worst, std::abs(energy(view.state).total() / 0.72 - 1));
+  options.observer.after_step = [&](const StepView& view) {
+    double& worst = view.end() < 10 ? soon : late;
+    worst = std::max(worst, std::abs(energy(view.state()).total() / 0.72 - 1));
     return true;
   };
   Lockstep run(taylor(system, 20, std::make_unique<JorbaZou>()));

@@ -19,13 +19,13 @@ struct Ran {
   State<double> end;
   double ratio() const { return light / heavy; }
 };
-Ran ran(const Problem& scene, ClockSchedule& schedule, double until) {
+Ran ran(const Problem& scene, ParticleClocks& schedule, double until) {
   EnergyMeter meter(scene.system);
   const double energy = meter(scene.start).total();
   Ran ran{0, 0, 0, scene.start};
   RunOptions options;
-  for (int frame = 1; frame <= 100; ++frame) options.frame_times.push_back(until * frame / 100);
-  options.at_frame = [&](const State<double>& state) {
+  for (int frame = 1; frame <= 100; ++frame) options.observer.frame_times.push_back(until * frame / 100);
+  options.observer.at_frame = [&](const State<double>& state) {
     ran.energy_error = std::max(ran.energy_error, std::abs(meter(state).total() - energy));
   };
   EXPECT_EQ(schedule.run(ran.end, until, options).outcome, Outcome::success);

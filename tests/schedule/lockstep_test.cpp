@@ -89,8 +89,8 @@ TEST(Lockstep, HasAClockThatDoesNotDrift) {
   State<double> state = scene.start;
   int n = 0;
   RunOptions options;
-  options.after_step = [&](const StepView& view) {
-    EXPECT_LE(std::abs((view.state.time - begin) - step * ++n), grain);
+  options.observer.after_step = [&](const StepView& view) {
+    EXPECT_LE(std::abs((view.end() - begin) - step * ++n), grain);
     return true;
   };
   ASSERT_EQ(lockstep.run(state, begin + 1, options).outcome, Outcome::success);
@@ -136,11 +136,11 @@ TEST(Lockstep, ShowsEveryStepToTheObserver) {
   State<double> state = scene.start;
   double last = 0.0;
   RunOptions options;
-  options.after_step = [&](const StepView& view) {
-    EXPECT_EQ(view.begin, last);
-    last = view.state.time;
-    EXPECT_EQ(view.integrator.piece().begin, view.begin);
-    EXPECT_NEAR(view.integrator.piece().end, view.state.time, 1e-15);  // one rounding of a time up to 1
+  options.observer.after_step = [&](const StepView& view) {
+    EXPECT_EQ(view.begin(), last);
+    last = view.end();
+    EXPECT_EQ(view.piece().begin, view.begin());
+    EXPECT_NEAR(view.piece().end, view.end(), 1e-15);  // one rounding of a time up to 1
     return true;
   };
   ASSERT_EQ(lockstep.run(state, 1.0, options).outcome, Outcome::success);
@@ -192,7 +192,7 @@ TEST(Lockstep, StopsWhenAsked) {
   Lockstep lockstep = taylor_in_steps(scene, 0.125);
   State<double> state = scene.start;
   RunOptions options;
-  options.after_step = [](const StepView& view) { return view.state.time < 0.5; };
+  options.observer.after_step = [](const StepView& view) { return view.end() < 0.5; };
   const Report report = lockstep.run(state, 10.0, options);
   EXPECT_EQ(report.outcome, Outcome::interrupted);
   EXPECT_THAT(report.message, HasSubstr("0.5"));
@@ -277,8 +277,8 @@ TEST(Lockstep, ReportsAMotionThatBlowsUpAndKeepsItsLastGoodState) {
   for (bool leap : {false, true}) {
     State<double> state = scene.start, last = scene.start;
     RunOptions options;
-    options.after_step = [&](const StepView& view) {
-      last = view.state;
+    options.observer.after_step = [&](const StepView& view) {
+      last = view.state();
       return true;
     };
     Lockstep lockstep = leap ? leapfrog_in_steps(scene, 10.0) : taylor_in_steps(scene, 10.0);

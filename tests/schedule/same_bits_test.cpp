@@ -22,14 +22,14 @@ namespace {
 
 struct Member {
   std::string name;
-  std::function<std::unique_ptr<ClockSchedule>(const System<double>&, const TruncationLaw&, int threads)>
+  std::function<std::unique_ptr<ParticleClocks>(const System<double>&, const TruncationLaw&, int threads)>
       make;
 };
 void PrintTo(const Member& member, std::ostream* out) { *out << member.name; }
 
 template <class ScheduleType>
-std::unique_ptr<ClockSchedule> with_clocks(const System<double>& system, const TruncationLaw& law,
-                                           int threads) {
+std::unique_ptr<ParticleClocks> with_clocks(const System<double>& system, const TruncationLaw& law,
+                                            int threads) {
   typename ScheduleType::Options options;
   options.tolerance = 1e-8;
   options.threads = threads;

@@ -22,7 +22,7 @@ TEST(Updates, OfOneClockCoverTheRunWithoutGaps) {
   Lockstep lockstep(taylor(scene.system, 5, std::make_unique<FixedStep>(0.3)));
   std::vector<double> known_until(8, 0.0);
   RunOptions options;
-  options.on_update = [&](const Update& update) {
+  options.observer.on_update = [&](const Update& update) {
     EXPECT_EQ(update.begin, known_until[update.particle]);
     EXPECT_EQ(update.degree, 5);
     known_until[update.particle] += update.step;
@@ -42,7 +42,7 @@ TEST(Updates, HaveTheDegreesThatWereDrawn) {
   std::uint64_t degrees = 0;
   std::set<int> seen;
   RunOptions options;
-  options.on_update = [&](const Update& update) {
+  options.observer.on_update = [&](const Update& update) {
     degrees += update.degree;
     seen.insert(update.degree);
   };
@@ -57,14 +57,14 @@ TEST(Frames, LieWhereTheyWereAskedForAndCropNoStep) {
   Lockstep lockstep(taylor(scene.system, 20, std::make_unique<FixedStep>(0.5)));
   std::vector<double> times;
   RunOptions options;
-  options.frame_times = {0.2, 0.4, 0.5, 1.7, 2.0};
-  options.at_frame = [&](const State<double>& state) {
+  options.observer.frame_times = {0.2, 0.4, 0.5, 1.7, 2.0};
+  options.observer.at_frame = [&](const State<double>& state) {
     times.push_back(state.time);
     EXPECT_NEAR(state.position(0, 0), std::cos(state.time), 1e-15);
   };
   State<double> state = scene.start;
   ASSERT_EQ(lockstep.run(state, 2.0, options).outcome, Outcome::success);
-  EXPECT_EQ(times, options.frame_times);
+  EXPECT_EQ(times, options.observer.frame_times);
   EXPECT_EQ(lockstep.work().steps, 4u);
 }
 

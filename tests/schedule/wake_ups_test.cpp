@@ -28,7 +28,7 @@ Seen seen(double notify) {
   std::vector<double> begin(scene.system.particles(), -1.0), end(scene.system.particles(), 0.0);
   Seen seen;
   RunOptions run;
-  run.on_update = [&](const Update& update) {
+  run.observer.on_update = [&](const Update& update) {
     ++seen.updates;
     seen.early += update.begin < end[update.particle];
     seen.repeated += update.begin == begin[update.particle];

@@ -21,9 +21,9 @@ void expect_ends_and_frames_leave_no_trace(const Make& make) {
   ASSERT_EQ(second.run(twice, 3.0, {}).outcome, Outcome::success);
   RunOptions options;
   int frames = 0;
-  options.frame_times = {0.5, 1.23, 3.0};
-  options.at_frame = [&](const State<double>& state) {
-    EXPECT_EQ(state.time, options.frame_times[frames++]);
+  options.observer.frame_times = {0.5, 1.23, 3.0};
+  options.observer.at_frame = [&](const State<double>& state) {
+    EXPECT_EQ(state.time, options.observer.frame_times[frames++]);
   };
   ASSERT_EQ(third.run(watched, 3.0, options).outcome, Outcome::success);
   EXPECT_EQ(frames, 3);

@@ -2,6 +2,7 @@
 #pragma once
 // How a step or a run ended. Events of a computation are values; exceptions are for misuse.
 
+#include <cstdint>
 #include <string>
 
 namespace jetlag {
@@ -24,5 +25,9 @@ struct Report {
   std::string message;
   int particle = -1;  // the first particle concerned, if any
 };
+
+/// The reports of a run that has used up its steps, and of one that was asked to stop. time: of its last state [s].
+Report step_limit(std::uint64_t max_steps, double time, const std::string& advice = "take longer steps");
+Report interrupted(double time);
 
 }  // namespace jetlag

@@ -17,6 +17,17 @@ struct Work {
   std::uint64_t rejected = 0;
   std::uint64_t wake_ups = 0;  // updates before their time, of clocks
 
+  Work& operator+=(const Work& other) {
+    steps += other.steps;
+    updates += other.updates;
+    coefficients += other.coefficients;
+    element_coefficients += other.element_coefficients;
+    degrees += other.degrees;
+    rejected += other.rejected;
+    wake_ups += other.wake_ups;
+    return *this;
+  }
+
   double mean_degree() const {
     return updates == 0 ? 0.0 : static_cast<double>(degrees) / static_cast<double>(updates);
   }

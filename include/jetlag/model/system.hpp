@@ -3,6 +3,7 @@
 // A mechanical system: particles and the elements that act between them.  M x'' = F(t, x, x').
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
@@ -102,6 +103,12 @@ class System {
   std::vector<bool> fixed_;
   std::vector<Elements<T>> elements_;
 };
+
+/// Number of particles that are not fixed.
+template <class T>
+int moving_particles(const System<T>& system) {
+  return static_cast<int>(std::ranges::count(system.fixed(), false));
+}
 
 // ---- definitions -----------------------------------------------------------------------------------------
 

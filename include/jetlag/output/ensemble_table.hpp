@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What an ensemble amounts to, frame by frame: a table, a summary and a picture.
+// What an ensemble amounts to, frame by frame: a table and a summary.
 
 #include <cstdint>
 #include <filesystem>
@@ -78,11 +78,5 @@ void write_ensemble_csv(const std::filesystem::path& path, const EnsembleResult&
 
 /// The content of ensemble.json: all but the samples, with the definitions in words. null: not known or not finite.
 std::string to_json(const EnsembleResult& result);
-
-/// Above, the band of one quantity (5 to 95 %, 25 to 75 %), its median and the reference, or where the band is less than
-/// a fiftieth of what it moves, all minus the reference. Below, Calibration against time. .svg or .png, by gnuplot.
-/// Throws as the pictures of pictures/pictures.hpp.
-void draw_ensemble(const std::filesystem::path& picture, const EnsembleResult& result, std::size_t watched,
-                   const std::string& title);
 
 }  // namespace jetlag

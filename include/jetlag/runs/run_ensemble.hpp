@@ -41,8 +41,11 @@ EnsembleResult run_ensemble(const Scene& scene, const EnsembleOptions& options,
 /// Throws SceneError as above for a scene that makes no ensemble.
 double bytes_needed(const Scene& scene, const EnsembleOptions& options);
 
-/// As run_ensemble, and leaves in `folder`: scene.json, ensemble.csv, ensemble.json and where gnuplot is there
-/// ensemble.svg. What an earlier run left there under these names is replaced. warnings: what could not be drawn.
+/// What an ensemble leaves in a folder, first what to look at first; ensemble.svg where gnuplot is there.
+inline constexpr const char* ensemble_files[] = {"ensemble.json", "ensemble.csv", "ensemble.svg",
+                                                 "scene.json"};
+
+/// As run_ensemble, and leaves these files in `folder`. What an earlier run left there under these names goes. warnings: what could not be drawn.
 /// Throws std::runtime_error naming a file that cannot be written.
 EnsembleResult run_ensemble_into(const Scene& scene, const EnsembleOptions& options,
                                  const std::filesystem::path& folder, const EnsembleHooks& hooks,

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "jetlag/output/clocks.hpp"
+#include "jetlag/output/clock_table.hpp"
 #include "jetlag/output/energy_table.hpp"
 #include "jetlag/output/shape.hpp"
 #include "jetlag/output/summary.hpp"
@@ -37,10 +37,14 @@ struct RunResult {
 /// initial energy, or where that is 0 to the largest kinetic energy so far.
 RunResult run_scene(const Scene& scene, const RunHooks& hooks = {});
 
-/// As above, and leaves in `folder`: scene.json, summary.json, energy.csv, frames/run.pvd with a .vtu for each frame,
-/// where the scene asks for clocks clocks.csv, and where gnuplot is there energy.svg, clocks.svg and film.png. What an earlier run left there under these names is replaced.
+/// As above, and leaves in `folder` what the outputs write that the scene asks for: summary.json, scene.json,
+/// frames/run.pvd with a .vtu for each frame, energy.csv, clocks.csv, and where gnuplot is there energy.svg, clocks.svg
+/// and film.png. What an earlier run left there under these names goes.
 /// warnings: what could not be drawn. Throws std::runtime_error naming a file that cannot be written.
 RunResult run_scene_into(const Scene& scene, const std::filesystem::path& folder, const RunHooks& hooks,
                          std::vector<std::string>& warnings);
+
+/// What there is of it, the first file of each output: those to look at.
+std::vector<std::filesystem::path> first_files_of_run(const std::filesystem::path& folder);
 
 }  // namespace jetlag

@@ -14,18 +14,12 @@
 
 #include "jetlag/ensembles/random_ensemble.hpp"
 #include "jetlag/model/system.hpp"
+#include "jetlag/output/output_options.hpp"
 #include "jetlag/output/shape.hpp"
 #include "jetlag/schedule/schedule.hpp"
 #include "jetlag/truncation/truncation.hpp"
 
 namespace jetlag {
-
-struct OutputOptions {
-  int frames = 100;      // besides the first; evenly spaced in time
-  bool energy = true;    // energy.csv, and the energy in the summary
-  bool pictures = true;  // through gnuplot, where it is there
-  bool clocks = false;   // clocks.csv, clocks.svg, and step and degree in the frames
-};
 
 /// A checked scene, ready to run.
 struct Scene {

@@ -25,14 +25,14 @@
 #include <vector>
 
 #include "jetlag/model/kinks.hpp"
-#include "jetlag/schedule/clock_schedule.hpp"
 #include "jetlag/schedule/event_queue.hpp"
+#include "jetlag/schedule/particle_clocks.hpp"
 
 namespace jetlag {
 
 class PartialExpansion;
 
-class Asynchronous final : public ClockSchedule {
+class Asynchronous final : public ParticleClocks {
  public:
   struct Options : ClockOptions {
     double grading = 2;  // g >= 1

@@ -22,11 +22,11 @@
 #include <vector>
 
 #include "jetlag/model/kinks.hpp"
-#include "jetlag/schedule/clock_schedule.hpp"
+#include "jetlag/schedule/particle_clocks.hpp"
 
 namespace jetlag {
 
-class BlockSteps final : public ClockSchedule {
+class BlockSteps final : public ParticleClocks {
  public:
   struct Options : ClockOptions {
     int grading = 1;  // >= 0; 0: neighbours may differ by any number of levels

@@ -49,14 +49,14 @@ class Impulses : public EventDriven {
     }
   };
 
-  bool begin(const State<double>& state, Report& report) override;
+  bool begin(const State<double>& state, double until, Report& report) override;
   double next_time() const override;
   double reach() const override;
-  bool next_event(const RunOptions& options, Report& report) override;
+  bool next_event(const Observer& observer, Report& report) override;
   State<double> at(double time) const override;
   Piece piece(double begin, double end) const override;
   double together() const;
-  bool drift(const Clock& clock, double time, const RunOptions& options, Report& report);
+  bool drift(const Clock& clock, double time, const Observer& observer, Report& report);
   bool push(Clock& clock, double time, double share, Report& report);
   bool schedule(int clock, Report& report);
 

@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "jetlag/integrators/integrator.hpp"
 #include "jetlag/schedule/schedule.hpp"
 
 namespace jetlag {

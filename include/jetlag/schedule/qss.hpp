@@ -72,16 +72,16 @@ class Qss final : public EventDriven {
   int number(int kind, int particle, int component) const {
     return (kind * particles_ + particle) * dimension_ + component;
   }
-  bool begin(const State<double>& state, Report& report) override;
+  bool begin(const State<double>& state, double until, Report& report) override;
   double next_time() const override;
-  bool next_event(const RunOptions& options, Report& report) override;
+  bool next_event(const Observer& observer, Report& report) override;
   State<double> at(double time) const override;
   Piece piece(double begin, double end) const override;
   bool advance(Component& component, double time) const;
   void move(int particle, int component, double time);
   bool push(int particle, double time, Report& report);
   void schedule(int number, double time);
-  void tell(int particle, double time, const RunOptions& options);
+  void tell(int particle, double time, const Observer& observer);
   Report not_finite(const char* what, int particle, double time) const;
 
   Options options_;

@@ -14,9 +14,10 @@ namespace jetlag {
 /// exactly. Throws std::invalid_argument as Schedule::run and Trajectory::add do.
 inline Report record(Schedule& schedule, State<double>& state, double until, Trajectory& trajectory,
                      RunOptions options = {}) {
-  options.after_step = [&trajectory, then = std::move(options.after_step)](const StepView& view) {
-    Piece piece = view.integrator.piece();
-    piece.end = view.state.time;
+  auto& after_step = options.observer.after_step;
+  after_step = [&trajectory, then = std::move(after_step)](const StepView& view) {
+    Piece piece = view.piece();
+    piece.end = view.end();
     trajectory.add(std::move(piece));
     return !then || then(view);
   };

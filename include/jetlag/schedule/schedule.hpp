@@ -7,16 +7,32 @@
 #include <limits>
 #include <vector>
 
-#include "jetlag/integrators/integrator.hpp"
+#include "jetlag/base/outcome.hpp"
+#include "jetlag/base/work.hpp"
+#include "jetlag/motion/piece.hpp"
 #include "jetlag/schedule/events.hpp"
 
 namespace jetlag {
 
-/// What an observer sees after each step.
-struct StepView {
-  const LastStep& integrator;  // piece() is the motion during this step, work() the cost so far
-  const State<double>& state;  // at the end of the step
-  double begin;                // [s]
+/// What an observer sees after a step. It costs what is asked of it: with a clock for each particle a state or a piece is
+/// put together, at O(particles), when it is wanted.
+class StepView {
+ public:
+  StepView(double begin, double end) : begin_(begin), end_(end) {}
+  virtual ~StepView() = default;
+
+  double begin() const { return begin_; }  // [s]
+  double end() const { return end_; }      // [s]
+
+  /// At the end of the step.
+  virtual const State<double>& state() const = 0;
+  /// The motion during the step: its begin is that of the step.
+  virtual Piece piece() const = 0;
+  /// The cost so far.
+  virtual const Work& work() const = 0;
+
+ private:
+  double begin_, end_;
 };
 
 /// A particle received a new piece.
@@ -24,6 +40,22 @@ struct Update {
   int particle;
   double begin, step;  // [s]
   int degree;          // of its position polynomial: the highest order that is not zero
+};
+
+/// Who watches a run. What is left empty costs nothing.
+struct Observer {
+  /// Called after every step that takes time, after its events; returning false ends the run as `interrupted`.
+  std::function<bool(const StepView&)> after_step{};
+
+  /// Times [s], ascending, beyond the beginning of the run, at which the state is wanted; and who gets it. It is taken
+  /// from the motion itself: no step ends there for its sake.
+  std::vector<double> frame_times{};
+  std::function<void(const State<double>&)> at_frame{};
+
+  /// Told about every update, those of one particle in order of time, once the length of its step is known and before
+  /// any frame beyond its end. Fixed particles may be among them. Costs a piece a step. A step that a neighbour ends
+  /// early (`asynchronous`) was told at its full length.
+  std::function<void(const Update&)> on_update{};
 };
 
 struct RunOptions {
@@ -34,26 +66,11 @@ struct RunOptions {
   double largest = std::numeric_limits<double>::infinity();
 
   /// What to watch for; a step ends at an event that changes the state or ends the run. Without events: no cost.
-  std::vector<Event> events;
+  std::vector<Event> events{};
   /// Where every hit is appended, in order of time; null: nowhere.
   std::vector<EventHit>* hits = nullptr;
 
-  /// Called after every step, after its events; returning false ends the run as `interrupted`. With a clock for each
-  /// particle the state is put together for it: that costs O(particles) a step, and nothing where nobody asks.
-  std::function<bool(const StepView&)> after_step;
-
-  /// As after_step, but told the time only, which costs nothing.
-  std::function<bool(double time)> go_on;
-
-  /// Times [s], ascending, beyond the beginning of the run, at which the state is wanted; and who gets it. It is taken
-  /// from the motion itself: no step ends there for its sake.
-  std::vector<double> frame_times;
-  std::function<void(const State<double>&)> at_frame;
-
-  /// Told about every update, those of one particle in order of time, once the length of its step is known and before
-  /// any frame beyond its end. Fixed particles may be among them. Costs a piece a step; nothing where nobody asks. A step
-  /// that a neighbour ends early (`asynchronous`) was told at its full length.
-  std::function<void(const Update&)> on_update;
+  Observer observer{};
 };
 
 class Schedule {
@@ -61,6 +78,7 @@ class Schedule {
   virtual ~Schedule() = default;
 
   /// Moves the state to time `until` exactly. On any outcome but success the state is the last good one.
+  /// Throws std::invalid_argument for a time before that of the state.
   virtual Report run(State<double>& state, double until, const RunOptions& options) = 0;
 
   virtual const Work& work() const = 0;

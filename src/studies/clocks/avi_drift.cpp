@@ -30,9 +30,9 @@ int run_row(double fraction, double until) {
   double first = 0, last = 0, largest = 0, momentum_error = 0;
   std::int64_t seen = 0;
   RunOptions options;
-  options.frame_times.reserve(count);
-  for (std::int64_t i = 1; i <= count; ++i) options.frame_times.push_back(i * period + later);
-  options.at_frame = [&](const State<double>& state) {
+  options.observer.frame_times.reserve(count);
+  for (std::int64_t i = 1; i <= count; ++i) options.observer.frame_times.push_back(i * period + later);
+  options.observer.at_frame = [&](const State<double>& state) {
     const double error = std::abs(energy(state).total() / begin - 1);
     largest = std::max(largest, error);
     if (seen < count / 10) first = std::max(first, error);

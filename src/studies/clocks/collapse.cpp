@@ -42,7 +42,7 @@ void add(Outcomes& all, const Arguments& arguments, const CollapsingBody& body, 
   const std::size_t distances = body.farthest() + 1;
   std::vector<double> particles(distances), updates(distances);
   RunOptions options;
-  options.on_update = [&](const Update& update) { ++updates[body.distance[update.particle]]; };
+  options.observer.on_update = [&](const Update& update) { ++updates[body.distance[update.particle]]; };
   State<double> state = body.start;
   const bool lasted = schedule.run(state, until, options).outcome == Outcome::success;
   all.updates.resize(distances);

@@ -49,12 +49,12 @@ void run_row(const Arguments& arguments, int degree, const char* name, Schedule&
   int frame = 0;
   std::uint64_t updates[3] = {};
   RunOptions options;
-  for (int i = 1; i <= frames; ++i) options.frame_times.push_back(until * i / frames);
-  options.at_frame = [&](const State<double>& state) {
+  for (int i = 1; i <= frames; ++i) options.observer.frame_times.push_back(until * i / frames);
+  options.observer.at_frame = [&](const State<double>& state) {
     all = std::max(all, std::abs(meter(state).total() / begin - 1));
     if (++frame == frames / 10) early = all;
   };
-  options.on_update = [&](const Update& update) { ++updates[update.particle]; };
+  options.observer.on_update = [&](const Update& update) { ++updates[update.particle]; };
   State<double> state = scene.start;
   const Report report = schedule.run(state, until, options);
   if (report.outcome != Outcome::success) {

@@ -8,13 +8,13 @@
 #include <filesystem>
 #include <limits>
 
+#include "jetlag/base/stopwatch.hpp"
 #include "jetlag/base/text.hpp"
 #include "jetlag/model/energy.hpp"
 #include "jetlag/output/files.hpp"
 #include "jetlag/scenes/error.hpp"
 #include "scenes/methods/methods.hpp"
 #include "studies/comparison/hard_cases.hpp"
-#include "studies/processor_time.hpp"
 #include "studies/studies.hpp"
 
 namespace jetlag {
@@ -145,7 +145,9 @@ HardResult run_hard_case(const Problem& hard, const HardMethod& method, double e
     const auto schedule = read(method.has_step ? step_for(hard, read, evaluations) : 0.0).schedule();
     RunOptions options;
     int calls = 0;
-    options.go_on = [&](double) { return ++calls % 64 != 0 || processor_seconds() - start < limit; };
+    options.observer.after_step = [&](const StepView&) {
+      return ++calls % 64 != 0 || processor_seconds() - start < limit;
+    };
     const Report report = schedule->run(state, hard.until, options);
     result.seconds = processor_seconds() - start;
     result.evaluations =

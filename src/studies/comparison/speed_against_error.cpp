@@ -9,6 +9,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "jetlag/base/stopwatch.hpp"
 #include "jetlag/base/text.hpp"
 #include "jetlag/model/energy.hpp"
 #include "jetlag/output/files.hpp"
@@ -18,7 +19,6 @@
 #include "studies/comparison/competitors.hpp"
 #include "studies/comparison/test_problems.hpp"
 #include "studies/comparison/work_precision_chart.hpp"
-#include "studies/processor_time.hpp"
 #include "studies/studies.hpp"
 
 namespace jetlag {
@@ -68,7 +68,9 @@ Row run(const Problem& problem, const Competitor& competitor, double step, int s
     const double start = processor_seconds();
     RunOptions options;
     int calls = 0;
-    options.go_on = [&](double) { return ++calls % 64 != 0 || processor_seconds() - start < limit; };
+    options.observer.after_step = [&](const StepView&) {
+      return ++calls % 64 != 0 || processor_seconds() - start < limit;
+    };
     const Report report = schedule->run(state, problem.until, options);
     double seconds = processor_seconds() - start;
     for (int repeat = 0; repeat < 2 && seconds < longest_repeated; ++repeat) {

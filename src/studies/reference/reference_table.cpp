@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 
+#include "jetlag/base/stopwatch.hpp"
 #include "problems/reference_values.hpp"
 #include "studies/reference/reference_problems.hpp"
 #include "studies/studies.hpp"
@@ -22,9 +22,9 @@ int run_table(const Arguments& arguments) {
               degree);
   std::printf("%-47s %8s %12s %7s %9s  %s\n", "problem", "until", "outcome", "steps", "error", "wall [s]");
   for (const ReferenceProblem& problem : reference_problems()) {
-    const auto begin = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const ReferenceSolution solution = problem.solve(degree, {});
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    const double seconds = watch.seconds();
     const auto& values = problems::reference_values().at(problem.name);
     double error = 0;
     for (std::size_t i = 0; i < values.size(); ++i)

@@ -89,8 +89,8 @@ TEST(ExplicitImplicit, HasNoDriftOfTheEnergy) {
   double first = 0, last = 0;
   int step = 0;
   RunOptions options;
-  options.after_step = [&](const StepView& view) {
-    const double total = energy(view.state).total() / begin;
+  options.observer.after_step = [&](const StepView& view) {
+    const double total = energy(view.state()).total() / begin;
     if (++step <= 10'000) first = std::max(first, total);
     if (step > 90'000) last = std::max(last, total);
     return true;

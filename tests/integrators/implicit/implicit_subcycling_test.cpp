@@ -148,9 +148,9 @@ TEST(ImplicitSubcycling, KeepsTheEnergyOfAStiffSpring) {
   for (const int m : {1, 2}) {
     double worst = 0, way = 0;
     RunOptions run;
-    run.after_step = [&](const StepView& view) {
-      worst = std::max(worst, std::abs(energy(view.state).total() / begin - 1));
-      way = std::max(way, (view.state.position - start.position).norm());
+    run.observer.after_step = [&](const StepView& view) {
+      worst = std::max(worst, std::abs(energy(view.state()).total() / begin - 1));
+      way = std::max(way, (view.state().position - start.position).norm());
       return true;
     };
     State<double> state = start;

@@ -31,8 +31,8 @@ TEST(RandomStep, KeepsTheAngularMomentumThatTheMidpointRuleKeeps) {
   State<double> state = scene.start;
   double worst = 0;
   RunOptions options;
-  options.after_step = [&](const StepView& view) {
-    const auto &x = view.state.position, &v = view.state.velocity;
+  options.observer.after_step = [&](const StepView& view) {
+    const auto &x = view.state().position, &v = view.state().velocity;
     worst = std::max(worst, std::abs(x(0, 0) * v(0, 1) - x(0, 1) * v(0, 0) - 0.8));
     return true;
   };

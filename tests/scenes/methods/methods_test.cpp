@@ -55,8 +55,7 @@ TEST(Methods, HaveAPageEachAndNothingElseHas) {
       ADD_FAILURE() << named_by << " \"" << name
                     << "\" has no page: add its entry to a list in src/scenes/methods";
     for (const std::string& name : missing(pages, names))
-      ADD_FAILURE() << "the page of \"" << name << "\" in src/scenes/methods is of no "
-                    << named_by;
+      ADD_FAILURE() << "the page of \"" << name << "\" in src/scenes/methods is of no " << named_by;
     types += names.size();
   }
   EXPECT_EQ(method_records().size(), types) << "a method has two pages in src/scenes/methods";

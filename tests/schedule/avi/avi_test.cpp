@@ -34,8 +34,8 @@ std::vector<double> energy_errors(const Problem& scene, Schedule& schedule, doub
   const double begin = energy(scene.start).total();
   std::vector<double> errors;
   RunOptions options;
-  for (int i = 1; i <= count; ++i) options.frame_times.push_back(until * i / count);
-  options.at_frame = [&](const State<double>& state) {
+  for (int i = 1; i <= count; ++i) options.observer.frame_times.push_back(until * i / count);
+  options.observer.at_frame = [&](const State<double>& state) {
     errors.push_back(std::abs(energy(state).total() - begin) / begin);
   };
   State<double> state = scene.start;
@@ -204,7 +204,7 @@ TEST(Avi, TellsTheUpdatesOfEachParticle) {
   Avi avi(chain.system, wall_chain_steps(0.125, 2));
   std::vector<double> known_until(4, 0.0);
   RunOptions options;
-  options.on_update = [&](const Update& update) {
+  options.observer.on_update = [&](const Update& update) {
     EXPECT_EQ(update.begin, known_until[update.particle]);
     EXPECT_EQ(update.step, update.particle == 1 ? 0.125 : 0.25);
     known_until[update.particle] += update.step;
@@ -270,7 +270,7 @@ TEST(Avi, StopsAtTheLargestNumberOfStepsAndWhenAsked) {
             Outcome::step_limit);
   EXPECT_EQ(state.time, 0.875);  // where the seventh impulse would come
   options = {};
-  options.go_on = [](double time) { return time < 0.5; };
+  options.observer.after_step = [](const StepView& view) { return view.end() < 0.5; };
   state = chain.start;
   EXPECT_EQ(Avi(chain.system, equal_steps(chain.system, 0.125)).run(state, 10.0, options).outcome,
             Outcome::interrupted);

@@ -33,8 +33,8 @@ TEST(Events, EndARunWhereTheyAreTerminal) {
   options.events[1].name = "the middle";
   options.events[1].terminal = true;
   options.hits = &hits;
-  options.after_step = [&](const StepView& view) {
-    steps += view.state.time == 0.5 * pi || std::abs(view.state.time - 0.5 * pi) < 1e-14;
+  options.observer.after_step = [&](const StepView& view) {
+    steps += view.end() == 0.5 * pi || std::abs(view.end() - 0.5 * pi) < 1e-14;
     return true;
   };
   State<double> state = scene.start;

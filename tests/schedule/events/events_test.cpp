@@ -54,8 +54,8 @@ TEST(Events, AreWithinOneUlpOfTime) {
     options.events.push_back(
         {.name = "slow", .g = [i](const auto&, const auto&, const auto& v) { return v(i, 1); }});
   options.hits = &hits;
-  options.after_step = [&](const StepView& view) {
-    pieces.push_back(view.integrator.piece());
+  options.observer.after_step = [&](const StepView& view) {
+    pieces.push_back(view.piece());
     return true;
   };
   State<double> state = scene.start;
@@ -99,8 +99,8 @@ TEST(Events, OfKeplerAreTheApsides) {
                      }}};
   EnergyMeter energy(scene.system);
   double drift = 0;
-  options.after_step = [&](const StepView& view) {
-    drift = std::max(drift, std::abs(energy(view.state).total() + 0.5) / 0.5);
+  options.observer.after_step = [&](const StepView& view) {
+    drift = std::max(drift, std::abs(energy(view.state()).total() + 0.5) / 0.5);
     return true;
   };
   State<double> state = scene.start;
@@ -204,8 +204,8 @@ TEST(Events, CallWhoAsked) {
   };
   RunOptions options;
   options.events = {event};
-  options.after_step = [&](const StepView& view) {
-    EXPECT_EQ(times.size(), view.state.time >= 0.75 ? 1u : 0u);  // events come first
+  options.observer.after_step = [&](const StepView& view) {
+    EXPECT_EQ(times.size(), view.end() >= 0.75 ? 1u : 0u);  // events come first
     return true;
   };
   State<double> state = scene.start;

@@ -62,7 +62,7 @@ TEST(Qss, TellsTheUpdatesOfEachParticle) {
   Qss qss(cube.system, coarse);
   std::vector<double> known_until(8, 0.0);
   RunOptions options;
-  options.on_update = [&](const Update& update) {
+  options.observer.on_update = [&](const Update& update) {
     EXPECT_EQ(update.begin, known_until[update.particle]);
     EXPECT_GT(update.step, 0);
     EXPECT_TRUE(update.degree == 2 || (update.degree == 1 && update.begin < 0.2));  // no force at first
@@ -186,7 +186,7 @@ TEST(Qss, StopsAtTheLargestNumberOfStepsAndWhereAsked) {
   EXPECT_EQ(qss.run(state, 3.0, options).outcome, Outcome::step_limit);
   EXPECT_EQ(qss.work().steps, 10u);
   RunOptions until_half;
-  until_half.go_on = [](double time) { return time < 0.5; };
+  until_half.observer.after_step = [](const StepView& view) { return view.end() < 0.5; };
   EXPECT_EQ(qss.run(state, 3.0, until_half).outcome, Outcome::interrupted);
   EXPECT_GE(state.time, 0.5);
   EXPECT_LT(state.time, 0.6);

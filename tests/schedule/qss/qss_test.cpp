@@ -62,10 +62,10 @@ TEST(Qss, StaysWithinAQuantumOfADecayForAllTime) {
       Qss qss = of_velocity(scene, order, quantum);
       double worst = 0;
       RunOptions options;
-      options.after_step = [&](const StepView& view) {
-        const Piece piece = view.integrator.piece();
+      options.observer.after_step = [&](const StepView& view) {
+        const Piece piece = view.piece();
         for (int k = 0; k <= 8; ++k) {
-          const double t = view.begin + (view.state.time - view.begin) * k / 8;
+          const double t = view.begin() + (view.end() - view.begin()) * k / 8;
           worst = std::max(worst, std::abs(piece.at(t).velocity(0, 0) - std::exp(-t)));
         }
         return true;
@@ -122,9 +122,9 @@ TEST(Qss, OfOrderOneDecaysInAHundredEvents) {
   Qss qss = of_velocity(scene, 1, 0.01);
   std::uint64_t to_one_percent = 0;
   RunOptions options;
-  options.after_step = [&](const StepView& view) {
-    if (to_one_percent == 0 && view.state.velocity(0, 0) <= 0.01 * (1 + 1e-9))
-      to_one_percent = view.integrator.work().steps + 1;  // the event at the end of this step
+  options.observer.after_step = [&](const StepView& view) {
+    if (to_one_percent == 0 && view.state().velocity(0, 0) <= 0.01 * (1 + 1e-9))
+      to_one_percent = view.work().steps + 1;  // the event at the end of this step
     return true;
   };
   State<double> state = scene.start;

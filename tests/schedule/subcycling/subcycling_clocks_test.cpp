@@ -30,7 +30,7 @@ TEST(SubcyclingClocks, SeesNobodyOutsideTheStepOfItsOwn) {
   RunOptions options;
   int together = 0;
   double last = 0;
-  options.on_update = [&](const Update& update) {
+  options.observer.on_update = [&](const Update& update) {
     const double t = update.begin + update.step;
     EXPECT_EQ(update.begin, begin[update.particle]);
     EXPECT_NEAR(update.step, steps[update.particle], 1e-14);
@@ -137,8 +137,8 @@ TEST(SubcyclingClocks, ReportsAMotionThatBlowsUpAndKeepsItsLastGoodState) {
   State<double> state = chain.start;
   state.velocity(1, 0) = 0.1;
   RunOptions options;
-  for (int i = 1; i < 1000; ++i) options.frame_times.push_back(i / 3.0);
-  options.at_frame = [](const State<double>& frame) {
+  for (int i = 1; i < 1000; ++i) options.observer.frame_times.push_back(i / 3.0);
+  options.observer.at_frame = [](const State<double>& frame) {
     EXPECT_TRUE(frame.position.allFinite() && frame.velocity.allFinite());
   };
   const Report report = method.run(state, 1e4, options);
@@ -146,6 +146,15 @@ TEST(SubcyclingClocks, ReportsAMotionThatBlowsUpAndKeepsItsLastGoodState) {
   EXPECT_THAT(report.message, AllOf(HasSubstr("particle"), HasSubstr("t = "), HasSubstr("shorter steps")));
   EXPECT_TRUE(state.position.allFinite() && state.velocity.allFinite());
   EXPECT_GT(state.time, 50.0);
+}
+
+TEST(SubcyclingClocks, NeverGoesBackBehindTheStateThatItWasGiven) {
+  // A free particle would pass 1e150 m in the step from t = 9: the impulse there fails, the last one is that at 8.
+  Subcycling method(System<>(1, {1.0}), {1.0});
+  State<double> state{0.0, Coordinates<>{{0}}, Coordinates<>{{1.05e149}}};
+  ASSERT_EQ(method.run(state, 8.5, {}).outcome, Outcome::success);
+  EXPECT_EQ(method.run(state, 20.0, {}).outcome, Outcome::non_finite);
+  EXPECT_EQ(state.time, 8.5);
 }
 
 TEST(SubcyclingClocks, StopsAtTheLargestNumberOfStepsAndWhenAsked) {
@@ -157,7 +166,7 @@ TEST(SubcyclingClocks, StopsAtTheLargestNumberOfStepsAndWhenAsked) {
             Outcome::step_limit);
   EXPECT_EQ(state.time, 0.875);  // where the seventh impulse would come
   options = {};
-  options.go_on = [](double time) { return time < 0.5; };
+  options.observer.after_step = [](const StepView& view) { return view.end() < 0.5; };
   state = chain.start;
   EXPECT_EQ(Subcycling(chain.system, coarse_b(0.125, 3)).run(state, 10.0, options).outcome,
             Outcome::interrupted);

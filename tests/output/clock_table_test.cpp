@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Clocks of a run: what the table keeps of long ones, and what the picture shows.
-#include "jetlag/output/clocks.hpp"
+#include "jetlag/output/clock_table.hpp"
 
 #include <gmock/gmock.h>
 

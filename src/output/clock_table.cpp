@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "jetlag/output/clocks.hpp"
+#include "jetlag/output/clock_table.hpp"
 
 #include "jetlag/base/text.hpp"
 #include "jetlag/output/files.hpp"

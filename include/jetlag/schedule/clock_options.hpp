@@ -1,22 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What schedules with a clock for each particle have in common: their options.
+// How a particle with a clock of its own is moved.
 
 #include <cstdint>
 #include <limits>
 
 #include "jetlag/truncation/draws.hpp"
-#include "jetlag/truncation/truncation.hpp"
 #include "jetlag/truncation/velocity_series.hpp"
 
 namespace jetlag {
 
-/// How a particle is moved and how long its steps are.
 struct ClockOptions {
   double tolerance = 1e-9;  // [m] > 0: of a step, as in control/last_two.hpp
   double max_step = std::numeric_limits<double>::infinity();  // [s] > 0
-  double courant =
-      0;  // in (0, 1]: a fraction of the Courant limit of each particle that its steps do not exceed; 0: none
+  /// In (0, 1]: a fraction of the Courant limit of each particle that its steps do not exceed; 0: none.
+  double courant = 0;
   VelocitySeries velocity = VelocitySeries::own_series;
 
   /// Random degrees: one draw for all particles that are updated together, or one for each.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What the schedules with a clock for each particle share: the run, up to who is due and how long its steps are.
+// A clock for each particle: what the schedules of this kind share is the motion and its ticks; who is due, and how long
+// its steps are, is a member's to say.
 //
 //     particle 0   |-------------------------------|-------------------------------|
 //     particle 1   |---------------|---------------|---------------|---------------|
@@ -8,28 +9,22 @@
 //                  0   1   2   3   4       6       8                              16    at which somebody is updated
 //
 // Between updates a particle moves on its own polynomial; whoever is updated sees its neighbours where these are, and
-// where they go.
-//
-//   - Times are whole numbers of ticks: clocks meet exactly, and nothing drifts.
-//   - `until` and frames are read from the polynomials, no step is cropped for them. So a run to 1 and on to 2 gives
-//     the same bits as a run to 2, and so does one that was stopped on the way, as long as the same schedule is
-//     handed the state that it gave. Any other state begins anew.
-//   - Events (RunOptions::events) need one clock: they are refused.
+// where they go. Times are whole numbers of ticks: clocks meet exactly, and nothing drifts. An update at `until` belongs
+// to the next run.
 
 #include <cstdint>
 #include <memory>
 
-#include "jetlag/schedule/clocks.hpp"
-#include "jetlag/schedule/schedule.hpp"
+#include "jetlag/schedule/clock_options.hpp"
+#include "jetlag/schedule/event_driven.hpp"
 
 namespace jetlag {
 
 class LocalMotion;
 
-class ClockSchedule : public Schedule {
+class ParticleClocks : public EventDriven {
  public:
-  ~ClockSchedule() override;
-  Report run(State<double>& state, double until, const RunOptions& options) final;
+  ~ParticleClocks() override;
   const Work& work() const final;
 
   /// Updates of a particle so far.
@@ -37,7 +32,7 @@ class ClockSchedule : public Schedule {
 
  protected:
   /// Throws std::invalid_argument.
-  ClockSchedule(const System<double>& system, TruncationLaw law, const ClockOptions& options);
+  ParticleClocks(const System<double>& system, TruncationLaw law, const ClockOptions& options);
 
   /// All are due at tick 0.
   virtual void begin_clocks() = 0;
@@ -55,10 +50,17 @@ class ClockSchedule : public Schedule {
   std::unique_ptr<LocalMotion> motion_;
 
  private:
-  bool continues(const State<double>& state, double until) const;
-  void begin(const State<double>& state, double until);
+  bool begin(const State<double>& state, double until, Report& report) final;
+  bool reaches(double until) const final;
+  double next_time() const final;
+  double reach() const final;
+  bool next_event(const Observer& observer, Report& report) final;
+  State<double> at(double time) const final;
+  State<double> at_next() const final;
+  State<double> at_last() const final;
+  Piece piece(double begin, double end) const final;
 
-  State<double> handed_out_;
+  std::int64_t last_tick_ = 0;  // of the time last_
 };
 
 }  // namespace jetlag

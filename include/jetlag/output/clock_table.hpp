@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Who was updated when: the clocks of a run as a table and as a picture.
+// Who was updated when: the clocks of a run as a table.
 
 #include <cstdint>
 #include <filesystem>
@@ -26,9 +26,8 @@ class ClockTable {
   /// Every how many updates of a particle one is kept: a power of two.
   std::uint64_t stride() const { return stride_; }
 
-  const std::vector<double>& step() const {
-    return step_;
-  }  // [s] of each particle; 0 before its first update
+  /// Of each particle the step [s], 0 before its first update, and the degree.
+  const std::vector<double>& step() const { return step_; }
   const std::vector<int>& degree() const { return degree_; }
 
  private:
@@ -44,10 +43,5 @@ class ClockTable {
 
 /// particle,time,step,degree: one line for each update that was kept; time [s] is when the step begins.
 void write_clocks_csv(const std::filesystem::path& path, const ClockTable& clocks);
-
-/// A row for each particle, of large scenes for a hundred of them; in it a bar for each step that was kept, long steps
-/// cool, short ones warm, on a logarithmic scale. Throws as the other pictures do (pictures.hpp).
-void draw_clocks(const std::filesystem::path& picture, const ClockTable& clocks, double until,
-                 const std::string& title);
 
 }  // namespace jetlag

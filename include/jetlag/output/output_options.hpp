@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// What a scene asks a run to leave behind.
+
+namespace jetlag {
+
+struct OutputOptions {
+  int frames = 100;      // besides the first; evenly spaced in time
+  bool energy = true;    // energy.csv, and the energy in the summary
+  bool pictures = true;  // through gnuplot, where it is there
+  bool clocks = false;   // clocks.csv, clocks.svg, and step and degree in the frames
+};
+
+/// The keys of "output" in a scene that are true or false, and what they ask for.
+struct OutputKey {
+  const char* name;
+  bool OutputOptions::* asked;
+};
+inline constexpr OutputKey output_keys[] = {{"energy", &OutputOptions::energy},
+                                            {"pictures", &OutputOptions::pictures},
+                                            {"clocks", &OutputOptions::clocks}};
+
+}  // namespace jetlag

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// What holds for every output: it is written where it is asked for, and removed where an earlier run has left it.
+#include <gmock/gmock.h>
+
+#include <set>
+
+#include "jetlag/pictures/pictures.hpp"
+#include "runs/outputs/output.hpp"
+#include "support/program.hpp"
+
+namespace jetlag::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::IsSubsetOf;
+using ::testing::Not;
+
+namespace fs = std::filesystem;
+
+Scene scene(const std::vector<std::string>& more) {
+  std::vector<std::string> settings = {"until=0.2", "output.frames=5"};
+  settings.insert(settings.end(), more.begin(), more.end());
+  return load_scene("chain", settings);
+}
+
+/// The settings that ask for all that can be asked for, or for none of it.
+std::vector<std::string> all(bool asked) {
+  std::vector<std::string> settings;
+  for (const OutputKey& key : output_keys)
+    settings.push_back("output." + std::string(key.name) + (asked ? "=true" : "=false"));
+  return settings;
+}
+
+/// All files below a folder, as names in it.
+std::set<std::string> files_in(const fs::path& folder) {
+  std::set<std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (!entry.is_directory()) files.insert(fs::relative(entry.path(), folder).string());
+  return files;
+}
+
+/// Runs it into the folder; the files of the outputs that it asks for.
+std::set<std::string> run_into(const Scene& scene, const fs::path& folder) {
+  std::vector<std::string> warnings;
+  EXPECT_EQ(run_scene_into(scene, folder, {}, warnings).summary.outcome, Outcome::success);
+  if (can_draw()) {
+    EXPECT_THAT(warnings, IsEmpty());
+  }
+  std::set<std::string> files;
+  for (const auto& output : all_outputs())
+    if (output->is_wanted(scene.output))
+      for (const auto& file : files_of(*output, folder)) files.insert(file.string());
+  return files;
+}
+
+TEST(Outputs, HaveNamesOfTheirOwnWithinTheFolder) {
+  std::set<std::string> names;
+  for (const auto& output : all_outputs()) {
+    EXPECT_TRUE(names.insert(output->file()).second) << output->file();
+    const fs::path path = output->file();
+    EXPECT_TRUE(path.is_relative() && path == path.lexically_normal() && *path.begin() != "..") << path;
+  }
+}
+
+TEST(Outputs, AreAllThatARunLeaves) {
+  const TemporaryFolder folder;
+  const auto wanted = run_into(scene(all(true)), folder.path());
+  EXPECT_EQ(files_in(folder.path()), wanted);
+}
+
+TEST(Outputs, AreThereWhereTheyAreWanted) {
+  if (!can_draw()) GTEST_SKIP() << "gnuplot is not installed";
+  const TemporaryFolder folder;
+  const Scene asking = scene(all(true));
+  run_into(asking, folder.path());
+  for (const auto& output : all_outputs()) {
+    EXPECT_TRUE(output->is_wanted(asking.output)) << output->file();
+    EXPECT_TRUE(fs::exists(folder / output->file())) << output->file();
+  }
+}
+
+TEST(Outputs, OfAnEarlierRunGo) {
+  const TemporaryFolder folder;
+  run_into(scene(all(true)), folder.path());
+  const auto before = files_in(folder.path());
+  auto settings = all(false);
+  settings.push_back("output.frames=3");
+  const auto wanted = run_into(scene(settings), folder.path());
+  EXPECT_EQ(files_in(folder.path()), wanted);
+  EXPECT_LT(wanted.size(), before.size());
+  EXPECT_THAT(wanted, IsSubsetOf(before));
+}
+
+TEST(Outputs, LeaveOtherFilesAlone) {
+  const TemporaryFolder folder;
+  fs::create_directories(folder / "frames");
+  const std::set<std::string> mine = {"notes.txt", "energy.csv.txt", "frames/frame_7.vtu", "frames/run.txt"};
+  for (const std::string& name : mine) write(folder / name, "mine");
+  run_into(scene({}), folder.path());
+  for (const std::string& name : mine) EXPECT_EQ(content(folder / name), "mine") << name;
+}
+
+/// Each for itself.
+TEST(Outputs, KnowAllTheirFiles) {
+  const TemporaryFolder folder;
+  const Scene asking = scene(all(true));
+  std::vector<std::string> warnings;
+  const RunResult result = run_scene(asking);
+  for (const auto& output : all_outputs()) {
+    if (output->file().ends_with(".svg") || output->file().ends_with(".png")) continue;  // pictures
+    const fs::path own = folder / ("of_" + fs::path(output->file()).stem().string());
+    fs::create_directories(own);
+    const RecordedRun run{asking, own, warnings};
+    output->begin(run);
+    output->frame(run, {0.0, asking.initial.position, asking.initial.velocity});
+    output->end(run, result);
+    std::set<std::string> known;
+    for (const auto& file : files_of(*output, own)) known.insert(file.string());
+    EXPECT_EQ(known, files_in(own)) << output->file();
+  }
+}
+
+TEST(Outputs, AreNamedByTheProgram) {
+  const TemporaryFolder folder;
+  const Ended run =
+      program("run chain --set until=0.2 --set output={\\\"pictures\\\":false} --out out", folder.path());
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  const auto files = first_files_of_run(folder / "out");
+  ASSERT_THAT(files, Not(IsEmpty()));
+  EXPECT_EQ(files.front(), folder / "out/summary.json");
+  for (const auto& file : files)
+    EXPECT_THAT(run.output, HasSubstr(fs::relative(file, folder.path()).string())) << file;
+}
+
+}  // namespace
+}  // namespace jetlag::testing
