@@ -36,11 +36,6 @@ class Integrator : public LastStep {
   virtual double step(State<double>& state, double limit, Report& report) = 0;
 };
 
-/// The step to take: the proposal, or the limit where that is shorter or nearly reached (no tiny last step remains).
-inline double cropped(double proposal, double limit) {
-  return proposal >= limit * (1.0 - 1e-9) ? limit : proposal;
-}
-
 /// Whether a step changes the time: below half of its last place (6e-8 s at 1e9 s) no step is taken.
 inline bool advances(double time, double h) { return h > 0.0 && time + h != time; }
 
