@@ -24,6 +24,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "jetlag/model/kinks.hpp"
 #include "jetlag/schedule/clock_schedule.hpp"
 #include "jetlag/schedule/event_queue.hpp"
 

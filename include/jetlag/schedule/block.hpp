@@ -21,6 +21,7 @@
 #include <memory>
 #include <vector>
 
+#include "jetlag/model/kinks.hpp"
 #include "jetlag/schedule/clock_schedule.hpp"
 
 namespace jetlag {

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What schedules with a clock for each particle have in common: options, and the series of every particle.
+// What schedules with a clock for each particle have in common: how a particle is moved, and how long its steps are.
 
 #include <cstdint>
 #include <limits>
 
-#include "jetlag/integrators/taylor.hpp"
 #include "jetlag/truncation/draws.hpp"
-#include "jetlag/truncation/truncation.hpp"
+#include "jetlag/truncation/velocity_series.hpp"
 
 namespace jetlag {
 
-/// How a particle is moved and how long its steps are.
 struct ClockOptions {
   double tolerance = 1e-9;  // [m] > 0: of a step, as in control/last_two.hpp
   double max_step = std::numeric_limits<double>::infinity();  // [s] > 0
