@@ -196,7 +196,7 @@ TEST(ParticleTaylor, SaysWhichParticleIsAtASingularPoint) {
   const State<double> before = state;
   const Report report = method.run(state, 1.0);
   EXPECT_EQ(report.outcome, Outcome::non_finite);
-  EXPECT_EQ(report.particle, 1);
+  EXPECT_EQ(report.particle, 0);  // the first one whose force is not a number
   EXPECT_EQ(state.position, before.position);
 }
 

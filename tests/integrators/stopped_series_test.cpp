@@ -76,7 +76,11 @@ TEST(Stops, InViewOfTermsAreThoseOfTheLawGivenTheTerms) {
   for (int n = 0; n < steps; ++n) {
     int known = -1;
     stops.draw_in_view(
-        n, [&](std::size_t, int k) { return EXPECT_LE(k, known), terms[k]; },
+        n,
+        [&](std::size_t, int k) {
+          EXPECT_LE(k, known);
+          return terms[k];
+        },
         [&](int degree) { known = degree; });
     EXPECT_EQ(stops.degree(), given.draw(uniform(seed, shared_by_all, n)));
     EXPECT_EQ(known, stops.degree());
