@@ -97,7 +97,7 @@ void Ensemble::advance_to(double until) {
 /// of a lane are normal numbers the conditions are solved for the logarithm of the step, in all those lanes at once.
 void Ensemble::choose_steps(Workspace& work) const {
   const int lanes = table_->lanes, p = degree_;
-  const double log_sigma = (-2.0 - 0.5 / std::max(1, p - 1)) / std::log(2.0);
+  const double log_sigma = log_safety_of_jorba_zou(p) / std::log(2.0);
   constexpr double least = 0x1p-1022, most = 0x1p1000;
   std::ranges::fill(work.log_step, 2000.0);  // infinite
   std::ranges::fill(work.not_finite, 0.0);

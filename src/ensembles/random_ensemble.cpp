@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "ensembles/random_ensemble.hpp"
-
 #include <Random123/philox.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <stdexcept>
 
 #include "base/pool.hpp"
+#include "ensembles/members.hpp"
 #include "jetlag/base/text.hpp"
 #include "jetlag/control/fixed_step.hpp"
 

@@ -68,6 +68,7 @@ SystemLanes::SystemLanes(const System<double>& system)
     : particles(system.particles()),
       dimension(system.dimension()),
       components(particles * dimension),
+      fixed(system.fixed()),
       program(system_tape(system)) {
   for (const Elements<double>& of_a_law : system.elements()) elements += of_a_law.count();
   for (int i = 0; i < particles; ++i)

@@ -15,6 +15,7 @@ struct SystemLanes {
 
   int particles, dimension, components;
   std::size_t elements = 0;
+  std::vector<bool> fixed;           // shape (particles)
   std::vector<double> inverse_mass;  // of each component; 0: fixed
   Program program;
   std::vector<Place> series;  // of each component of the positions: every order is kept

@@ -21,10 +21,14 @@ Accelerations::Accelerations(const System<double>& system)
       depend_on_velocity_(forces_read(system, Input::Kind::velocity)),
       depend_on_time_(forces_read(system, Input::Kind::time)) {}
 
+/// Whether the forces at this state are those of the one before.
+bool Accelerations::knows_forces(const State<double>& state) const {
+  return (!depend_on_time_ || last_.time == state.time) && last_.position.size() == state.position.size() &&
+         last_.position == state.position && (!depend_on_velocity_ || last_.velocity == state.velocity);
+}
 /// Whether the series begins at this state, as far as orders beyond 1 are concerned.
 bool Accelerations::knows(const State<double>& state) const {
-  return (!depend_on_time_ || last_.time == state.time) && last_.position.size() == state.position.size() &&
-         last_.position == state.position && last_.velocity == state.velocity;
+  return knows_forces(state) && last_.velocity == state.velocity;
 }
 
 void Accelerations::begin(const State<double>& state) {
@@ -34,7 +38,7 @@ void Accelerations::begin(const State<double>& state) {
 }
 
 bool Accelerations::operator()(const State<double>& state, Coordinates<double>& a, Report& report) {
-  begin(state);
+  if (!knows_forces(state)) begin(state);
   if (series_.order() < 2) {
     series_.grow();
     ++coefficients_;

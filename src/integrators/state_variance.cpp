@@ -14,7 +14,7 @@ class Terms {
  public:
   Terms(const Expansion<double>& series, int degree, double h, VelocitySeries velocity)
       : series_(series), s_(h / series.time_unit()), h_(h), own_(velocity == VelocitySeries::own_series) {
-    const int order = degree + (own_ ? 1 : 0);
+    const int order = order_needed(degree, velocity);
     if (series.order() < order)
       throw std::invalid_argument("state_variance: the series must be known to order " +
                                   std::to_string(order) + ", it is to order " +

@@ -6,6 +6,8 @@
 #include <cassert>
 #include <cstring>
 
+#include "jetlag/motion/accelerate.hpp"
+
 namespace jetlag {
 
 namespace {
@@ -161,16 +163,11 @@ void PartialExpansion::push(std::size_t law, int k, int orders, double time) {
   element_coefficients_ += blocks.count() * blocks.running(k, orders);
 }
 
-/// From coefficient k of the forces, in the rows of the new positions:   x_{k+2} = F_k / (m (k+1) (k+2)).
+/// From coefficient k of the forces, in the rows of the new positions.
 void PartialExpansion::accelerate(int k) {
   double* x = active_row(k + 2, 0);
   double* v = reads_velocity_ ? v_.data() + (k + 1) * rows_ * stride_ : nullptr;
-  const double of_velocity = 1.0 / (k + 1), of_position = 1.0 / ((k + 1) * (k + 2));
-  for (std::size_t i = 0; i < push_.size(); ++i) {
-    const double change = x[i] * push_[i];
-    if (v) v[i] = change * of_velocity;
-    x[i] = change * of_position;
-  }
+  jetlag::accelerate(push_.size(), k, 1.0, push_.data(), x, v);
 }
 
 void PartialExpansion::grow_to(int order, double time) {

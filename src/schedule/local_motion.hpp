@@ -3,6 +3,8 @@
 // The motion of particles with clocks of their own: a series for each, about the tick at which it was last updated, and
 // the update of a group of particles at one tick.
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -12,12 +14,13 @@
 #include "jetlag/base/outcome.hpp"
 #include "jetlag/base/work.hpp"
 #include "jetlag/control/last_two.hpp"
-#include "jetlag/model/kinks.hpp"
+#include "jetlag/control/to_kinks.hpp"
 #include "jetlag/motion/expansion.hpp"
 #include "jetlag/motion/partial_expansion.hpp"
 #include "jetlag/motion/piece.hpp"
 #include "jetlag/schedule/clock_options.hpp"
 #include "jetlag/schedule/ticks.hpp"
+#include "jetlag/truncation/stops.hpp"
 
 namespace jetlag {
 
@@ -25,13 +28,13 @@ class LocalMotion {
  public:
   using Count = Ticks::Count;
 
-  LocalMotion(const System<double>& system, TruncationLaw law, const ClockOptions& options);
+  LocalMotion(const System<double>& system, const TruncationLaw& law, const ClockOptions& options);
 
   const Neighbourhoods& graph() const { return *graph_; }
   const std::vector<int>& moving() const { return moving_; }
   const ClockOptions& options() const { return options_; }
   /// The highest one of the law.
-  int degree() const { return law_.max_degree(); }
+  int degree() const { return stops_.law().max_degree(); }
 
   /// The series become constant: the state, at tick 0 of these ticks.
   /// Throws std::invalid_argument for a state of another shape and for a fixed particle that is not at rest.
@@ -58,14 +61,13 @@ class LocalMotion {
   void up_to_kinks(Count now, std::span<const int> particles, const StepOf& step_of,
                    std::vector<Kinks::Step>& shortened) {
     shortened.clear();
-    if (kinks_.none()) return;
-    late_.clear();
+    if (to_kinks_.none()) return;
+    to_kinks_.begin();
     for (int i : particles) {
       const double h = step_of(i);
-      const Kinks::Step step{i, h, curve(i, h)};
-      if (!kinks_.take(step, ticks_.time(now), series(i), series(i) + stride_)) late_.push_back(step);
+      to_kinks_.take({i, h, curve(i, h)}, ticks_.time(now), series(i), series(i) + stride_);
     }
-    if (!late_.empty()) shorten_late(now, shortened);
+    if (to_kinks_.any_late()) shorten_late(now, shortened);
   }
 
   /// Keeps the series of those particles of a group that may cross a kink before their update.
@@ -76,7 +78,7 @@ class LocalMotion {
   bool keeps_its_word(std::size_t k, Count tick) const;
   /// A particle that must be remembered at its next update.
   void doubt(int particle) {
-    kinks_.doubt(particle);
+    to_kinks_.kinks().doubt(particle);
     natural_[particle] = step_of(particle);
   }
 
@@ -102,16 +104,23 @@ class LocalMotion {
   void count_wake_up() { ++work_.wake_ups; }
   int degree_of(int particle) const { return degree_[particle]; }
 
- private:
-  double* series(std::size_t particle) { return series_.data() + particle * size_; }
+  /// The series of a particle, shape (orders, padded dimension), and its sums s [s] after it began; v may be null.
   const double* series(std::size_t particle) const { return series_.data() + particle * size_; }
-  /// From the series of a particle, or from another of such a degree.
   void evaluate(int particle, double s, double* x, double* v) const {
     evaluate(series(particle), degree_[particle], s, x, v);
   }
+
+ private:
+  double* series(std::size_t particle) { return series_.data() + particle * size_; }
+  /// From a series of such a degree.
   void evaluate(const double* c, int degree, double s, double* x, double* v) const;
-  template <int stride>
-  void evaluate_padded(const double* c, int degree, double s, double* x, double* v) const;
+  /// The largest component of coefficient k of a particle.
+  double norm_of(int particle, int k) const {
+    const double* c = series(particle) + k * stride_;
+    double most = 0;
+    for (int d = 0; d < stride_; ++d) most = std::max(most, std::abs(c[d]));
+    return most;
+  }
   LastTwoSizes sizes_of(int particle) const;
   double curve(int particle, double h) const;
   template <int stride>
@@ -136,9 +145,8 @@ class LocalMotion {
   void publish(int particle, Count now, std::uint64_t group);
   void count(std::size_t updated);
 
-  TruncationLaw law_;
   ClockOptions options_;
-  Draws draws_;
+  Stops stops_;
   int dimension_, stride_, order_;
   std::size_t size_;  // numbers in the series of a particle
   std::shared_ptr<const Neighbourhoods> graph_;
@@ -147,16 +155,14 @@ class LocalMotion {
   std::vector<double> longest_;         // step of each particle [s]
   std::vector<int> coarsest_;           // level that is no longer than that
   std::vector<LastTwoAllows> allowed_;  // steps, by level; those that have been asked for
-  std::vector<double> weights_;         // of the terms of the law, then one for the term after them
   Ticks ticks_;
   AlignedVector<double> series_;  // [particle][order][padded component]
   std::vector<Count> begin_;
   std::vector<int> degree_;  // of each particle's series
   std::vector<std::uint64_t> updates_;
   std::vector<double> shift_, rows_;  // room for an update
-  Kinks kinks_;
-  std::vector<Kinks::Step> late_;  // steps that leave no room before kinks
-  std::vector<double> natural_;    // step [s] that the series of a particle in doubt asks for
+  StepsToKinks to_kinks_;
+  std::vector<double> natural_;  // step [s] that the series of a particle in doubt asks for
   std::vector<int> former_;
   std::vector<Count> former_begin_;
   std::vector<int> former_degree_;

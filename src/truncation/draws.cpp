@@ -31,6 +31,7 @@ double antithetic(std::uint64_t seed, std::uint32_t particle, std::uint64_t upda
 
 Draws::Draws(Draw kind, const TruncationLaw* law, std::uint64_t seed, std::uint32_t particles)
     : kind_(kind), seed_(seed), particles_(particles) {
+  if (law != nullptr && law->is_fixed()) return;
   if (kind == Draw::stratified && particles < 2)
     throw std::invalid_argument(
         "stratified: strata are over particles, and one draw is all there is; let each particle draw, or "

@@ -4,11 +4,17 @@
 
 #include <cmath>
 #include <concepts>
+#include <limits>
 
 namespace jetlag {
 
+/// Binary numbers that are rounded to nearest: those of the language, and Boost's cpp_bin_float.
+template <class T>
+concept BinaryNumber = std::numeric_limits<T>::is_specialized && !std::numeric_limits<T>::is_integer &&
+                       std::numeric_limits<T>::radix == 2;
+
 /// The unevaluated sum high + low: about twice the digits of T.
-template <std::floating_point T>
+template <BinaryNumber T>
 struct TwoPart {
   T high{};
   T low{};
@@ -18,11 +24,12 @@ struct TwoPart {
 
 /// a + b = high + low exactly, high = a + b rounded.         Source: Knuth, TAOCP 2, 4.2.2, theorem B: six additions.
 /// Range: no overflow.
-template <std::floating_point T>
+template <BinaryNumber T>
 TwoPart<T> two_sum(T a, T b) {
   const T sum = a + b;
   const T b_rounded = sum - a;
-  return {sum, (a - (sum - b_rounded)) + (b - b_rounded)};
+  const T a_rounded = sum - b_rounded;
+  return {sum, T(a - a_rounded) + T(b - b_rounded)};
 }
 
 /// a b = high + low exactly, high = a b rounded.         Source: Ogita, Rump, Oishi 2005, algorithm 3.5.

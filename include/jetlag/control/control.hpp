@@ -16,6 +16,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "jetlag/base/step_length.hpp"
 #include "jetlag/motion/coefficient_view.hpp"
 #include "jetlag/truncation/truncation.hpp"
 #include "jetlag/truncation/velocity_series.hpp"
@@ -27,6 +28,9 @@ struct Prospect {
   const Expansion<double>& series;  // known to the order that the control asks for, at least;
                                     // its unit of time is its own: coefficient k comes with time_unit^k
   const TruncationLaw& law;         // where the series will be stopped
+
+  /// What is left to go [s], > 0.
+  double limit = std::numeric_limits<double>::infinity();
 };
 
 class Control {
@@ -37,29 +41,19 @@ class Control {
   /// not depend on the degree that is drawn, nor may the step, or the series would no longer be unbiased.
   virtual int orders_read(const TruncationLaw& law, VelocitySeries velocity) const = 0;
 
-  /// The next step [s], > 0 and at most max_step.
+  /// The next step [s], > 0 and at most max_step. It may be longer than the limit: `cropped`.
   virtual double propose(const Prospect& prospect) = 0;
 
-  /// How far [m] beyond a kink of a force (model/kinks.hpp) a step may end, where positions are of this size [m]: those
-  /// that are longer are shortened; as far as rounding hides it, all may. Infinite where a step is taken as it is.
-  virtual double past_kinks(double size) const = 0;
+  /// Whether its steps are given, not chosen: then nothing shortens them but the limit.
+  virtual bool is_given() const { return false; }
+
+  /// How far [m] beyond a kink of a force (control/to_kinks.hpp) a step that is chosen may end; as far as rounding hides
+  /// it, all may.
+  virtual double past_kinks() const = 0;
 
   /// A control of the same kind and state.
   virtual std::unique_ptr<Control> clone() const = 0;
 };
-
-/// The largest absolute component of a coefficient, over all particles; NaN where there is one.
-inline double largest(const CoefficientView<double>& coefficient) {
-  double most = 0.0;
-  bool numbers = true;
-  for (int i = 0; i < coefficient.rows(); ++i)
-    for (int c = 0; c < coefficient.cols(); ++c) {
-      const double size = std::abs(coefficient(i, c));
-      most = std::max(most, size);
-      numbers &= size == size;
-    }
-  return numbers ? most : std::numeric_limits<double>::quiet_NaN();
-}
 
 /// The highest order r that the two estimates below read: N where the degree is fixed; otherwise m + 1, the order of the
 /// first random term, which velocities of their own series need at every step anyway, but 4 at least (and N at most): a

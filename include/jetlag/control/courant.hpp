@@ -45,7 +45,8 @@ class Courant final : public Control {
   double propose(const Prospect& prospect) override {
     return std::min(inner_->propose(prospect), largest_step_);
   }
-  double past_kinks(double size) const override { return inner_->past_kinks(size); }
+  bool is_given() const override { return inner_->is_given(); }
+  double past_kinks() const override { return inner_->past_kinks(); }
   std::unique_ptr<Control> clone() const override {
     return std::unique_ptr<Control>(new Courant(inner_->clone(), largest_step_));
   }

@@ -21,7 +21,7 @@ class HalveDouble final : public Control {
   HalveDouble(double step, double max_step, double min_variance, double max_variance, int min_degree);
   int orders_read(const TruncationLaw& law, VelocitySeries) const override { return orders_for_errors(law); }
   double propose(const Prospect& prospect) override;
-  double past_kinks(double) const override { return std::sqrt(min_variance_); }
+  double past_kinks() const override { return std::sqrt(min_variance_); }
   std::unique_ptr<Control> clone() const override { return std::make_unique<HalveDouble>(*this); }
 
  private:

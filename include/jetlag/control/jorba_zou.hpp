@@ -2,7 +2,11 @@
 #pragma once
 // The step of Jorba and Zou, from an estimate of the radius of convergence.
 
+#include <algorithm>
+#include <limits>
+#include <memory>
 #include <span>
+#include <vector>
 
 #include "jetlag/control/control.hpp"
 
@@ -10,6 +14,9 @@ namespace jetlag {
 
 /// The degree for a tolerance: p = ceil(1 - ln(tol) / 2), at least 2.         Source: [JZ05] 3.2.
 int jorba_zou_degree(double tolerance);
+
+/// ln sigma, see jorba_zou_step.
+inline double log_safety_of_jorba_zou(int degree) { return -2.0 - 0.5 / std::max(1, degree - 1); }
 
 /// The largest step h <= max_step at which the last two terms are small against the largest of those before them,
 ///
@@ -27,10 +34,30 @@ int jorba_zou_degree(double tolerance);
 /// Throws std::invalid_argument for fewer than two norms.
 double jorba_zou_step(std::span<const double> norms, double max_step);
 
-/// The smaller of the steps for positions and for velocities, |.| being the largest component over all particles.
-/// p: the largest degree of which the series holds both. Only the state, the forces in it and the last two coefficients
-/// are read, the others only where these vanish. Neither the unit of length nor that of time matters. Particles at
-/// rest and in free fall get max_step.
+/// The same for a motion: the smaller one of the steps for positions and for velocities, in the unit of time of the series, p
+/// the degree. Only the state, the forces in it and the last two coefficients are read, the others only where these vanish.
+template <class Series>
+double jorba_zou_step_of(const Series& series, int degree, double max_step) {
+  const int p = std::min(degree, series.order() - 1);
+  std::vector<double> norms(p + 1);
+  // The state and the forces in it: orders 0 to 2 of x, 0 and 1 of v.
+  const auto shortened = [&](double h, int low, const auto& coefficient) {
+    for (int k = 0; k <= p; ++k)
+      norms[k] = k <= low || k >= p - 1 ? static_cast<double>(coefficient(k)) : 0.0;
+    const auto vanish = [&](int first, int last) {
+      return std::all_of(norms.begin() + first, norms.begin() + last + 1, [](double c) { return c == 0.0; });
+    };
+    if (vanish(0, std::min(low, p - 1)) || vanish(std::max(0, p - 1), p))
+      for (int k = low + 1; k < p - 1; ++k) norms[k] = static_cast<double>(coefficient(k));
+    return jorba_zou_step(norms, h);
+  };
+  const double h = shortened(max_step, 2, [&](int k) { return series.position_norm(k); });
+  return shortened(h, 1, [&](int k) { return series.velocity_norm(k); });
+}
+
+/// The step of a motion, |.| being the largest component over all particles. p: the largest degree of which the series holds
+/// both positions and velocities. Neither the unit of length nor that of time matters. Particles at rest and in free fall
+/// get max_step.
 class JorbaZou final : public Control {
  public:
   /// max_step [s], > 0; it is the step where the series ends before its second half.
@@ -38,15 +65,14 @@ class JorbaZou final : public Control {
     require_positive("max_step", max_step, true);
   }
   int orders_read(const TruncationLaw& law, VelocitySeries velocity) const override {
-    return law.max_degree() + (velocity == VelocitySeries::own_series ? 1 : 0);
+    return order_needed(law.max_degree(), velocity);
   }
   double propose(const Prospect& prospect) override;
-  double past_kinks(double) const override { return 0.0; }  // but for rounding
+  double past_kinks() const override { return 0.0; }  // but for rounding
   std::unique_ptr<Control> clone() const override { return std::make_unique<JorbaZou>(*this); }
 
  private:
   double max_step_;
-  std::vector<double> norms_;  // kept for the next step
 };
 
 }  // namespace jetlag

@@ -74,10 +74,10 @@ class LastTwo final : public Control {
   /// tolerance [m] > 0; max_step [s] > 0.   Throws std::invalid_argument.
   explicit LastTwo(double tolerance, double max_step = std::numeric_limits<double>::infinity());
   int orders_read(const TruncationLaw& law, VelocitySeries velocity) const override {
-    return law.max_degree() + (velocity == VelocitySeries::own_series ? 1 : 0);
+    return order_needed(law.max_degree(), velocity);
   }
   double propose(const Prospect& prospect) override;
-  double past_kinks(double) const override { return tolerance_; }
+  double past_kinks() const override { return tolerance_; }
   std::unique_ptr<Control> clone() const override { return std::make_unique<LastTwo>(*this); }
 
  private:

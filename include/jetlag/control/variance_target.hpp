@@ -15,7 +15,7 @@ class VarianceTarget final : public Control {
   VarianceTarget(double step, double max_step, double tolerance_random, double tolerance_bias);
   int orders_read(const TruncationLaw& law, VelocitySeries) const override { return orders_for_errors(law); }
   double propose(const Prospect& prospect) override;
-  double past_kinks(double) const override { return std::min(tolerance_random_, tolerance_bias_); }
+  double past_kinks() const override { return std::min(tolerance_random_, tolerance_bias_); }
   std::unique_ptr<Control> clone() const override { return std::make_unique<VarianceTarget>(*this); }
 
  private:

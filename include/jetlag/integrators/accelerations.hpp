@@ -37,6 +37,7 @@ class Accelerations {
   std::uint64_t coefficients() const { return coefficients_; }
 
  private:
+  bool knows_forces(const State<double>& state) const;
   bool knows(const State<double>& state) const;
   void begin(const State<double>& state);
 

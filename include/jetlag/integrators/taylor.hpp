@@ -4,11 +4,11 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <vector>
 
+#include "jetlag/control/to_kinks.hpp"
 #include "jetlag/integrators/integrator.hpp"
-#include "jetlag/model/kinks.hpp"
+#include "jetlag/integrators/stopped_series.hpp"
 #include "jetlag/motion/expansion.hpp"
 #include "jetlag/truncation/draws.hpp"
 #include "jetlag/truncation/sequential.hpp"
@@ -26,8 +26,7 @@ namespace jetlag {
 /// draw for each, of its particle; it is asked after each order, and no order is computed that is not needed. Where the
 /// control reads the series, all are. What a control learns of a sequential law is its lower bound.
 ///
-/// Steps that a control chooses end at kinks of forces (model/kinks.hpp), which are sought on the series as far as the
-/// control has read it: where that is, does not depend on the degree that is drawn.
+/// Steps that a control chooses end at kinks of forces (control/to_kinks.hpp).
 class RandomTaylor final : public Integrator {
  public:
   struct Options {
@@ -62,53 +61,28 @@ class RandomTaylor final : public Integrator {
   const Work& work() const override { return work_; }
 
   /// What a trajectory has of its own besides its state.
-  struct Member {
+  struct Member : ToKinks::Trajectory {
     std::uint64_t seed = 1, update = 0;  // of the draws
-    std::unique_ptr<Control> control;
-    std::vector<Kinks::Track> tracks;  // of its particles, up to where it was left
-    Coordinates<double> left_at;
   };
   /// Goes on as another trajectory of the same system; `member` is then the one so far. The work is that of all.
   void exchange(Member& member);
 
  private:
-  void draw();
-  void roulette(double h, const State<double>& state);
-  void grow_to(int order, const State<double>& state);
-  double up_to_kinks(double h, const State<double>& state);
-  void weighted_sum(bool of_velocity, double s, int first, Coordinates<double>& sum) const;
+  void sum(const State<double>& from, double h, State<double>& to) const;
   void add_increments(State<double>& state, double s) const;
-  int order_needed(int degree) const {
-    return options_.velocity == VelocitySeries::own_series ? degree + 1 : degree;
-  }
+  void weighted_sum(bool of_velocity, double s, int first, Coordinates<double>& sum) const;
+  void count();
+  const Expansion<double>& expansion() const { return series_.series(); }
+  const Stops& stops() const { return series_.stops(); }
 
-  double* weights(std::size_t draw) { return weights_.data() + (weights_differ_ ? draw * stride_ : 0); }
-  const double* weights(std::size_t draw) const { return const_cast<RandomTaylor*>(this)->weights(draw); }
-  std::uint32_t key(std::size_t draw) const {
-    return options_.shared_draw ? shared_by_all : static_cast<std::uint32_t>(draw);
-  }
-  bool draws_for(std::size_t draw) const { return options_.shared_draw || !fixed_[draw]; }
-
-  TruncationLaw law_;  // of a sequential one, its lower bound
-  std::optional<SequentialLaw> sequential_;
-  Expansion<double> series_;
-  std::unique_ptr<Control> control_;
   Options options_;
-  Draws draws_;
-  std::size_t stride_;           // of the weights: terms of the law, and a 0
-  bool weights_differ_;          // from draw to draw; else there is one row for all
-  std::vector<double> weights_;  // of the terms, up to the degree of the draw
-  State<double> next_;           // room for the state at the end of a step
+  StoppedSeries<Expansion<double>> series_;
+  ToKinks control_;
   std::vector<bool> fixed_;
   int moving_;
+  State<double> next_;  // room for the state at the end of a step
   std::uint64_t update_ = 0;
-  double time_unit_ = 1;     // of the series: 1 until a coefficient over- or underflows
-  std::vector<int> degree_;  // K of each particle in this step; one entry when the draw is shared
   double last_step_ = 0;
-  Kinks kinks_;                    // none for steps that are taken as they are
-  std::vector<Kinks::Step> late_;  // steps that leave no room before kinks
-  std::vector<double> curve_;      // of the path of each particle [m]
-  Coordinates<double> left_at_;    // positions that the kinks know of
   Work work_;
 };
 

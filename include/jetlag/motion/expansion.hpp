@@ -28,6 +28,7 @@
 #include "jetlag/model/element_blocks.hpp"
 #include "jetlag/model/particle_order.hpp"
 #include "jetlag/model/system.hpp"
+#include "jetlag/motion/accelerate.hpp"
 #include "jetlag/motion/coefficient_view.hpp"
 #include "jetlag/motion/wavefront.hpp"
 
@@ -36,6 +37,8 @@ namespace jetlag {
 template <class T>
 class Expansion {
  public:
+  using Number = T;
+
   /// Keeps no reference to the system. expected_degree: storage is made for it; growing beyond it costs a copy.
   /// The number of workers does not change a bit of the result.
   explicit Expansion(const System<T>& system, int expected_degree = 8,
@@ -45,6 +48,9 @@ class Expansion {
   /// time_unit [s]: positive and finite.
   /// Throws std::invalid_argument for a state of another shape and for a fixed particle that is not at rest.
   void start(const State<T>& state, const T& time_unit = T(1));
+
+  /// Starts anew from the same state, in another unit of time. Throws std::invalid_argument as start.
+  void restart(const T& time_unit);
 
   /// The highest order of x that is known, >= 1.
   int order() const { return order_; }
@@ -66,6 +72,11 @@ class Expansion {
   /// The largest absolute component of coefficient k of the positions, and of the velocities; not finite if one is not.
   T position_norm(int k) const { return norm(x_, k); }
   T velocity_norm(int k) const { return norm(v_, k); }
+  T norm(int k) const { return position_norm(k); }
+  /// The largest absolute component of coefficient k of the position of a particle.
+  T norm_of(std::size_t particle, int k) const {
+    return position(k).row(static_cast<Eigen::Index>(particle)).cwiseAbs().maxCoeff();
+  }
 
   /// sum_{n=first..last} w_n c_n s^(n-first), by Horner's rule, c_n the coefficients of the positions or the velocities.
   /// w: the weights of the terms 0 .. last. into: shape (particles, dimension).
@@ -159,28 +170,35 @@ Expansion<T>::Expansion(const System<T>& system, int expected_degree, const Kern
 
 template <class T>
 void Expansion<T>::start(const State<T>& state, const T& time_unit) {
-  using std::isfinite;
   require_shape(state, particles_, dimension_);
-  if (!(time_unit > T(0)) || !isfinite(time_unit))
-    throw std::invalid_argument("Expansion: the unit of time must be > 0 and finite");
   for (int i = 0; i < particles_; ++i)
     if (inverse_mass_[i * stride_] == T(0) && !(state.velocity.row(i).array() == T(0)).all())
       throw std::invalid_argument("Expansion: particle " + std::to_string(i) +
                                   " is fixed and must be at rest");
   time_ = state.time;
-  time_unit_ = time_unit;
-  push_.resize(inverse_mass_.size());
-  for (std::size_t i = 0; i < push_.size(); ++i) push_[i] = inverse_mass_[i] * time_unit;
   for (int i = 0; i < particles_; ++i)
     for (int c = 0; c < dimension_; ++c) {
       at(x_, 0)[i * stride_ + c] = state.position(i, c);
       at(v_, 0)[i * stride_ + c] = state.velocity(i, c);
-      at(x_, 1)[i * stride_ + c] = state.velocity(i, c) * time_unit;
     }
   rest_.assign(state.position_rest.size() == 0 ? 0 : row_size(), T(0));
   if (!rest_.empty())
     for (int i = 0; i < particles_; ++i)
       for (int c = 0; c < dimension_; ++c) rest_[i * stride_ + c] = state.position_rest(i, c);
+  restart(time_unit);
+}
+
+template <class T>
+void Expansion<T>::restart(const T& time_unit) {
+  using std::isfinite;
+  if (!(time_unit > T(0)) || !isfinite(time_unit))
+    throw std::invalid_argument("Expansion: the unit of time must be > 0 and finite");
+  time_unit_ = time_unit;
+  push_.resize(inverse_mass_.size());
+  for (std::size_t i = 0; i < push_.size(); ++i) push_[i] = inverse_mass_[i] * time_unit;
+  const T* v = at(v_, 0);
+  T* x = at(x_, 1);
+  for (std::size_t i = 0; i < row_size(); ++i) x[i] = v[i] * time_unit;
   order_ = 1;
 }
 
@@ -282,13 +300,8 @@ void Expansion<T>::count(const std::vector<ElementBlocks<T>>& laws, int k, int o
 
 template <class T>
 void Expansion<T>::accelerate(std::size_t first, std::size_t last, int k) {
-  T *x = at(x_, k + 2), *v = at(v_, k + 1);
-  const T of_velocity = T(1) / T(k + 1), of_position = time_unit_ / T((k + 1) * (k + 2));
-  for (std::size_t i = first; i < last; ++i) {
-    const T change = x[i] * push_[i];
-    v[i] = change * of_velocity;
-    x[i] = change * of_position;
-  }
+  jetlag::accelerate(last - first, k, time_unit_, push_.data() + first, at(x_, k + 2) + first,
+                     at(v_, k + 1) + first);
 }
 
 template <class T>

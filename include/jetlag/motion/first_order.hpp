@@ -12,8 +12,10 @@
 // Numbers written in f are part of the recording and are doubles, whatever T is. The parameters p are of type T and
 // may be changed without recording again; f(t, y) has none.
 
+#include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -74,6 +76,8 @@ Tape record_first_order(const F& f, int size, int parameters = 0) {
 template <class T = double>
 class FirstOrderExpansion {
  public:
+  using Number = T;
+
   /// f: see record_first_order. size: number of equations. parameters: p, as many as f reads.
   template <class F>
   FirstOrderExpansion(const F& f, int size, const std::vector<T>& parameters = {}, int expected_degree = 20)
@@ -99,10 +103,16 @@ class FirstOrderExpansion {
     if (y.size() != y_.size())
       throw std::invalid_argument("y' = f(t, y): " + std::to_string(y_.size()) +
                                   " initial values are needed");
-    if (!(time_unit > T(0))) throw std::invalid_argument("y' = f(t, y): the unit of time must be > 0");
     time_ = t;
-    time_unit_ = time_unit;
     for (std::size_t i = 0; i < y.size(); ++i) y_[i].assign(1, y[i]);
+    restart(time_unit);
+  }
+
+  /// Starts anew from the same values, in another unit of time.
+  void restart(const T& time_unit) {
+    if (!(time_unit > T(0))) throw std::invalid_argument("y' = f(t, y): the unit of time must be > 0");
+    time_unit_ = time_unit;
+    for (std::vector<T>& series : y_) series.resize(1);
   }
 
   /// The highest order that is known.
@@ -129,8 +139,21 @@ class FirstOrderExpansion {
     while (this->order() < order) grow();
   }
 
+  const T& time() const { return time_; }
   /// The unit of time of the series.
   const T& time_unit() const { return time_unit_; }
+
+  /// The largest absolute coefficient k of all components; infinite where one is not finite.
+  T norm(int k) const {
+    using std::abs, std::isfinite;
+    T most(0);
+    for (const std::vector<T>& series : y_) {
+      if (!isfinite(series[k])) return std::numeric_limits<T>::infinity();
+      const T size = abs(series[k]);
+      if (most < size) most = size;
+    }
+    return most;
+  }
 
   /// The coefficients 0 .. order() of component i.
   const std::vector<T>& operator[](int i) const { return y_[i]; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// How a particle with a clock of its own is moved.
+// What schedules with a clock for each particle have in common: how a particle is moved, and how long its steps are.
 
 #include <cstdint>
 #include <limits>

@@ -79,7 +79,8 @@ inline const std::vector<std::string> names_of_draws = {"independent",     "rota
 /// A kind of draw for the particles of a system.
 class Draws {
  public:
-  /// law: what is drawn from. particles: how many draw; stratified draws need two at least.
+  /// law: what is drawn from; of a fixed degree nothing is drawn, and any kind will do. particles: how many draw; stratified
+  /// draws need two at least.
   /// Throws std::invalid_argument: see Ruler; a ruler for a law that is not known beforehand; strata of one.
   Draws(Draw kind, const TruncationLaw* law, std::uint64_t seed, std::uint32_t particles);
 
@@ -91,6 +92,7 @@ class Draws {
 
   /// The degree at which this update stops, drawn from the law.
   int degree(const TruncationLaw& law, std::uint32_t particle, std::uint64_t update) const {
+    if (law.is_fixed()) return law.max_degree();
     return ruler_ ? ruler_->degree(seed_, particle, update) : law.draw(number(particle, update));
   }
 

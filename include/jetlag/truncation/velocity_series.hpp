@@ -10,4 +10,9 @@ enum class VelocitySeries {
   derivative,  // the derivative of the position's, v = sum_{1<=n<=K} w_n n x_n h^{n-1}: one order less
 };
 
+/// The order up to which positions must be known for a stop at this degree.
+constexpr int order_needed(int degree, VelocitySeries velocity) {
+  return velocity == VelocitySeries::own_series ? degree + 1 : degree;
+}
+
 }  // namespace jetlag

@@ -2,8 +2,7 @@
 #pragma once
 // Leapfrog in its velocity form (Stoermer, Verlet; not the midpoint leapfrog of fluid dynamics).
 
-#include "jetlag/integrators/integrator.hpp"
-#include "jetlag/motion/expansion.hpp"
+#include "jetlag/integrators/one_step.hpp"
 
 namespace jetlag {
 
@@ -11,29 +10,19 @@ namespace jetlag {
 /// Order 2, symmetric and symplectic for forces that depend on positions only; one force evaluation a step.
 /// Where forces depend on velocities, a_1 is taken at the velocity v_0 + h a_0 (Heun): order 2, two evaluations.
 /// Source: [HLW06] I.1.4.
-class Leapfrog final : public Integrator {
+class Leapfrog final : public OneStep {
  public:
   /// step [s], > 0.
   Leapfrog(const System<double>& system, double step);
-  double step(State<double>& state, double limit, Report& report) override;
+
+  /// x is a parabola and v too; both meet the end of the step exactly.
   Piece piece() const override;
-  const Work& work() const override { return work_; }
 
  private:
-  bool acceleration(const State<double>& state, Coordinates<double>& result, Report& report);
+  double advance(const State<double>& from, double limit, State<double>& to, Report& report) override;
 
-  Expansion<double> series_;
-  bool forces_depend_on_velocity_, forces_depend_on_time_;
-  int moving_;
   double step_;
-  State<double> before_;
-  Coordinates<double> a_before_, a_after_;
-  Coordinates<double> position_of_a_after_;  // where a_after_ was computed, so that the next step can use it
-  double time_of_a_after_ = 0;
-  State<double> next_;  // room for a step
-  Coordinates<double> a_, a_next_;
-  double last_step_ = 0;
-  Work work_;
+  Coordinates<double> a_before_, a_after_;  // of the last step
 };
 
 }  // namespace jetlag

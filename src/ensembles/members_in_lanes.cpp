@@ -2,11 +2,11 @@
 // Members in lanes: the whole system is one tape, a member an element of it. All members have one step and one time.
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <span>
 
 #include "base/pool.hpp"
-#include "ensembles/random_ensemble.hpp"
-#include "ensembles/system_lanes.hpp"
+#include "ensembles/members.hpp"
+#include "ensembles/stopped_lanes.hpp"
 #include "jetlag/control/fixed_step.hpp"
 
 namespace jetlag {
@@ -18,17 +18,10 @@ namespace {
 /// and 3.4 in lanes, 3.1 and 3.1 one by one; one of 560 elements 19 and 30 in lanes, 14 and 15 one by one.
 constexpr std::size_t most_elements = 100;
 
-/// The power of two next to a step, as unit of time: coefficient n of the series is then of the size of the term, x_n
-/// h^n, and neither over- nor underflows where the sum does not, however fast or slow the motion. Its square is a
-/// double.
-double unit_for(double step) {
-  return std::ldexp(1.0, std::clamp(static_cast<int>(std::lround(std::log2(step))), -500, 500));
-}
-
-class InLanes final : public RandomEnsemble::Members {
+class MembersInLanes final : public RandomEnsemble::Members {
  public:
-  InLanes(const System<double>& system, const SeriesMethod& method, std::size_t count,
-          const RandomEnsemble::Start& start, const RandomEnsemble::Options& options);
+  MembersInLanes(const System<double>& system, const SeriesMethod& method, std::size_t count,
+                 const RandomEnsemble::Start& start, const RandomEnsemble::Options& options);
 
   bool in_lanes() const override { return true; }
   std::size_t tasks() const override { return blocks_.size(); }
@@ -57,73 +50,40 @@ class InLanes final : public RandomEnsemble::Members {
     double seen = 0;                                       // the time that was looked at
     AlignedVector<double> seen_position, seen_velocity;    // there
   };
-  struct Workspace {
-    Workspace(const InLanes& of)
-        : series(of.system_.program, of.lanes_, {}, *of.table_),
-          weights(static_cast<std::size_t>(of.draws_) * of.terms_ * of.lanes_, 0.0),
-          next(2 * static_cast<std::size_t>(of.system_.components) * of.lanes_),
-          time(of.lanes_),
-          not_finite(of.lanes_),
-          largest(of.lanes_),
-          degrees(of.lanes_),
-          tops(of.lanes_) {
-      series.reserve(of.law_.max_degree() + 2);
-    }
-    Blocks<double> series;
-    AlignedVector<double> weights;  // [draw][term][lane]
-    AlignedVector<double> next, time, not_finite, largest;
-    std::vector<std::uint64_t> degrees;  // sum over the moving particles
-    std::vector<int> tops;               // the largest of them
-  };
-
-  int draw(std::size_t first, const std::vector<char>& moves, std::uint64_t update, Workspace& work) const;
-  void grow(const AlignedVector<double>& position, const AlignedVector<double>& velocity, double time,
-            int top, double unit, Workspace& work) const;
-  void sum(int top, double h, double unit, Workspace& work) const;
-  void look(std::size_t first, double time, Block& block, Workspace& work) const;
-  int order_needed(int top) const {
-    return options_.velocity == VelocitySeries::own_series ? top + 1 : std::max(top, 1);
+  void look(std::size_t first, double time, Block& block, StoppedLanes& lanes) const;
+  std::unique_ptr<StoppedLanes> lend() {
+    return pool_.lend([&] { return std::make_unique<StoppedLanes>(system_, law_, options_, *table_); });
   }
+  std::span<const std::uint64_t> seeds(std::size_t first) const { return std::span(seeds_).subspan(first); }
 
   SystemLanes system_;
-  TruncationLaw law_;
+  Truncation law_;
   RandomTaylor::Options options_;
   double step_;
   const KernelTable<double>* table_;
-  const EnsembleLanes* of_;
-  int lanes_, draws_, terms_;  // draws_: 1, or one for each particle; terms_: one more than the law has
-  int moving_ = 0;
+  int lanes_, moving_;
   std::uint64_t max_steps_;
   double end_;
-  std::vector<Draws> draws_of_;  // of each member
-  std::vector<double> stopped_;  // the time of each member that has failed
+  std::vector<std::uint64_t> seeds_;  // of the draws of each member
+  std::vector<double> stopped_;       // the time of each member that has failed
   std::vector<Block> blocks_;
-  Pool<Workspace> pool_;
+  Pool<StoppedLanes> pool_;
 };
 
-InLanes::InLanes(const System<double>& system, const SeriesMethod& method, std::size_t count,
-                 const RandomEnsemble::Start& start, const RandomEnsemble::Options& options)
+MembersInLanes::MembersInLanes(const System<double>& system, const SeriesMethod& method, std::size_t count,
+                               const RandomEnsemble::Start& start, const RandomEnsemble::Options& options)
     : Members(count),
       system_(system),
-      law_(known_beforehand(method.law)),
+      law_(method.law),
       options_(method.options),
       step_(dynamic_cast<const FixedStep&>(*method.control).step()),
       table_(&kernels<double>()),  // of one width, whatever the number of members: the same bits
-      of_(&ensemble_lanes(table_->instruction_set)),
       lanes_(table_->lanes),
-      terms_(law_.max_degree() + 2),
       moving_(moving_particles(system)),
       max_steps_(options.max_steps),
       end_(options.end) {
-  if (law_.is_fixed()) {
-    options_.shared_draw = true;
-    options_.draws = Draw::independent;
-  }
-  draws_ = options_.shared_draw ? 1 : system_.particles;
-  draws_of_.reserve(count);
-  for (std::size_t i = 0; i < count; ++i)
-    draws_of_.emplace_back(options_.draws, &law_, member_seed(options_.seed, i),
-                           static_cast<std::uint32_t>(draws_));
+  for (std::size_t i = 0; i < count; ++i) seeds_.push_back(member_seed(options_.seed, i));
+  pool_.give_back(lend());  // throws what is to be thrown
   stopped_.resize(count);
   blocks_.resize((count + lanes_ - 1) / lanes_);
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
@@ -144,68 +104,7 @@ InLanes::InLanes(const System<double>& system, const SeriesMethod& method, std::
   }
 }
 
-/// The weights of this step, 1 / P(K >= n) for n <= K and 0 beyond, K as RandomTaylor draws it. Returns the largest K of
-/// the members that move.
-int InLanes::draw(std::size_t first, const std::vector<char>& moves, std::uint64_t update,
-                  Workspace& work) const {
-  std::ranges::fill(work.tops, law_.min_degree());
-  std::ranges::fill(work.degrees, 0);
-  for (int d = 0; d < draws_; ++d) {
-    const bool fixed = !options_.shared_draw && system_.inverse_mass[d * system_.dimension] == 0.0;
-    if (fixed) continue;
-    const auto particle = options_.shared_draw ? shared_by_all : static_cast<std::uint32_t>(d);
-    double* weights = work.weights.data() + static_cast<std::size_t>(d) * terms_ * lanes_;
-    for (int lane = 0; lane < lanes_; ++lane) {
-      int degree = law_.min_degree();
-      if (law_.is_fixed())
-        degree = law_.max_degree();
-      else if (moves[lane])
-        degree = draws_of_[first + lane].degree(law_, particle, update);
-      if (moves[lane]) {
-        work.tops[lane] = std::max(work.tops[lane], degree);
-        work.degrees[lane] += options_.shared_draw ? static_cast<std::uint64_t>(degree) * moving_ : degree;
-      }
-      for (int n = 0; n <= law_.max_degree(); ++n)
-        weights[n * lanes_ + lane] = n <= degree ? law_.weight(n, degree) : 0.0;
-    }
-  }
-  return *std::ranges::max_element(work.tops);
-}
-
-/// The series from a state, for degrees up to `top`; coefficient n comes times unit^n.
-void InLanes::grow(const AlignedVector<double>& position, const AlignedVector<double>& velocity, double time,
-                   int top, double unit, Workspace& work) const {
-  for (int c = 0; c < system_.components; ++c) {
-    double* x = work.series.at(0, system_.series[c], 0);
-    std::copy_n(position.data() + c * lanes_, lanes_, x);
-    of_->scale(lanes_, unit, velocity.data() + c * lanes_, x + lanes_);
-  }
-  std::ranges::fill(work.time, time);
-  system_.grow(work.series, *of_, work.time.data(), order_needed(top), unit);
-}
-
-/// Positions and velocities after h; sums over powers of h / unit.
-void InLanes::sum(int top, double h, double unit, Workspace& work) const {
-  const bool derivative = options_.velocity == VelocitySeries::derivative;
-  const double s = h / unit;
-  double* position = work.next.data();
-  double* velocity = position + static_cast<std::size_t>(system_.components) * lanes_;
-  for (int c = 0; c < system_.components; ++c, position += lanes_, velocity += lanes_) {
-    if (system_.inverse_mass[c] == 0.0) continue;
-    const int draw = options_.shared_draw ? 0 : c / system_.dimension;
-    const double* weights = work.weights.data() + static_cast<std::size_t>(draw) * terms_ * lanes_;
-    const double* x = work.series.at(0, system_.series[c], 0);
-    of_->weighted(lanes_, false, top, x, weights, s, position);
-    // With `derivative`, coefficient n of the velocity carries the weight of coefficient n + 1 of the position.
-    of_->weighted(lanes_, true, derivative ? top - 1 : top, x, derivative ? weights + lanes_ : weights, s,
-                  velocity);
-    of_->multiply(lanes_, 1 / unit, velocity);
-    for (const double* next : {position, velocity})
-      of_->largest(lanes_, next, work.largest.data(), work.not_finite.data());
-  }
-}
-
-void InLanes::advance(std::size_t number, double until, const std::function<bool()>& go_on) {
+void MembersInLanes::advance(std::size_t number, double until, const std::function<bool()>& go_on) {
   Block& block = blocks_[number];
   const std::size_t first = number * lanes_;
   const int active = static_cast<int>(std::min<std::size_t>(lanes_, reports.size() - first));
@@ -218,7 +117,7 @@ void InLanes::advance(std::size_t number, double until, const std::function<bool
     moves[i] = 0;
     --moving;
   };
-  auto work = pool_.lend([&] { return std::make_unique<Workspace>(*this); });
+  auto lanes = lend();
   while (block.time < until && moving > 0 && (!go_on || go_on())) {
     const double h = cropped(step_, end_ - block.time);
     if (block.update >= max_steps_ || !advances(block.time, h)) {
@@ -229,15 +128,13 @@ void InLanes::advance(std::size_t number, double until, const std::function<bool
                      : Report{Outcome::step_underflow, "the step no longer changes the time", -1});
       break;
     }
-    const int top = draw(first, moves, block.update, *work);
-    const int order = order_needed(top);
+    const int top = lanes->draw(seeds(first), moves, block.update);
+    const int order = lanes->order_for(top);
     const double unit = unit_for(h);
-    grow(block.position, block.velocity, block.time, top, unit, *work);
-    std::ranges::fill(work->not_finite, 0.0);
-    sum(top, h, unit, *work);
+    lanes->grow(block.position, block.velocity, block.time, top, unit);
+    lanes->sum(top, h, unit);
 
-    const double* next_position = work->next.data();
-    const double* next_velocity = next_position + static_cast<std::size_t>(system_.components) * lanes_;
+    const double *next_position = lanes->position(), *next_velocity = lanes->velocity();
     const auto lane = [&](const double* rows, int i) {
       Coordinates<double> of_lane(system_.particles, system_.dimension);
       for (int c = 0; c < system_.components; ++c)
@@ -245,7 +142,7 @@ void InLanes::advance(std::size_t number, double until, const std::function<bool
       return of_lane;
     };
     for (int i = 0; i < active; ++i)
-      if (moves[i] && std::isnan(work->not_finite[i])) {
+      if (moves[i] && !lanes->is_finite(i)) {
         Report report;
         all_finite(lane(next_position, i), lane(next_velocity, i), block.time, report);
         end(i, std::move(report));
@@ -270,16 +167,16 @@ void InLanes::advance(std::size_t number, double until, const std::function<bool
     block.work.element_coefficients += static_cast<std::uint64_t>(moving) * system_.elements * (order - 1);
     for (int i = 0; i < active; ++i)
       if (moves[i]) {
-        block.work.degrees += work->degrees[i];
-        block.orders += order_needed(work->tops[i]) - 1;
+        block.work.degrees += lanes->degrees(i);
+        block.orders += lanes->order_for(lanes->top(i)) - 1;
       }
   }
-  if (block.time >= until) look(first, until, block, *work);
-  pool_.give_back(std::move(work));
+  if (block.time >= until) look(first, until, block, *lanes);
+  pool_.give_back(std::move(lanes));
 }
 
 /// The states at a time of the last step, which is taken once more where it does not end there.
-void InLanes::look(std::size_t first, double time, Block& block, Workspace& work) const {
+void MembersInLanes::look(std::size_t first, double time, Block& block, StoppedLanes& lanes) const {
   block.seen = time;
   block.seen_position = block.position;
   block.seen_velocity = block.velocity;
@@ -287,12 +184,11 @@ void InLanes::look(std::size_t first, double time, Block& block, Workspace& work
   std::vector<char> moves(lanes_, 0);
   for (int i = 0; i < lanes_ && first + i < reports.size(); ++i)
     moves[i] = reports[first + i].outcome == Outcome::success;
-  const int top = draw(first, moves, block.update - 1, work);
+  const int top = lanes.draw(seeds(first), moves, block.update - 1);
   const double unit = unit_for(block.time - block.begin);
-  grow(block.begin_position, block.begin_velocity, block.begin, top, unit, work);
-  sum(top, time - block.begin, unit, work);
-  const double* position = work.next.data();
-  const double* velocity = position + block.position.size();
+  lanes.grow(block.begin_position, block.begin_velocity, block.begin, top, unit);
+  lanes.sum(top, time - block.begin, unit);
+  const double *position = lanes.position(), *velocity = lanes.velocity();
   for (int c = 0; c < system_.components; ++c) {
     if (system_.inverse_mass[c] == 0.0) continue;
     std::copy_n(position + c * lanes_, lanes_, block.seen_position.data() + c * lanes_);
@@ -300,7 +196,7 @@ void InLanes::look(std::size_t first, double time, Block& block, Workspace& work
   }
 }
 
-State<double> InLanes::state(std::size_t i) const {
+State<double> MembersInLanes::state(std::size_t i) const {
   const Block& block = blocks_[i / lanes_];
   const bool stopped = reports[i].outcome != Outcome::success;
   State<double> state{stopped ? stopped_[i] : block.seen,
@@ -326,7 +222,7 @@ std::unique_ptr<RandomEnsemble::Members> members_in_lanes(const System<double>& 
                                                           const SeriesMethod& method, std::size_t count,
                                                           const RandomEnsemble::Start& start,
                                                           const RandomEnsemble::Options& options) {
-  return std::make_unique<InLanes>(system, method, count, start, options);
+  return std::make_unique<MembersInLanes>(system, method, count, start, options);
 }
 
 }  // namespace jetlag

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Taylor's method with one clock, in any number type, forwards and backwards in time: what is the same for first-order
+// systems (first_order_taylor.hpp) and for particles (particle_taylor.hpp). Its loop is here too: runs of other methods, in
+// double, are schedules (schedule/).
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "jetlag/base/error_free.hpp"
+#include "jetlag/base/outcome.hpp"
+#include "jetlag/base/text.hpp"
+#include "jetlag/base/work.hpp"
+#include "jetlag/control/control.hpp"
+#include "jetlag/control/jorba_zou.hpp"
+#include "jetlag/integrators/stopped_series.hpp"
+
+namespace jetlag {
+
+/// The degree at which what is left out in a step is below the rounding of T: 20 for double, 23 for 80 bits.
+template <class T>
+int degree_of_precision() {
+  return jorba_zou_degree(static_cast<double>(std::numeric_limits<T>::epsilon()));
+}
+
+/// What an observer sees after each step.
+template <class Method, class State>
+struct OneClockStepView {
+  const Method& integrator;  // at(t) is the solution during this step
+  const State& state;        // at the end of the step
+  const decltype(State::time)& begin;
+};
+
+template <class View>
+struct OneClockRunOptions {
+  std::uint64_t max_steps = std::numeric_limits<std::uint64_t>::max();
+
+  /// Called after every step; returning false ends the run as `interrupted`.
+  std::function<bool(const View&)> after_step{};
+};
+
+/// Method derives from it and says how its series starts from a state, how long a step of Jorba and Zou may be, how the
+/// series is summed, and whether all that is finite. A state has a time, numbers and rests of their rounding.
+///
+/// y(t + h) = sum_{k=0..N} y_k h^k,   h by the rule of Jorba and Zou.         Source: [JZ05] 3.
+/// With a law:  sum_{k=0..K} w_k y_k h^k,   of mean-square order min(N, m + 1/2), weak order min(N, 2m + 1).
+template <class Method, class Series, class State, class Options>
+class OneClockTaylor {
+ public:
+  using T = typename Series::Number;
+  using StepView = OneClockStepView<Method, State>;
+  using RunOptions = OneClockRunOptions<StepView>;
+
+  const Options& options() const { return options_; }
+
+  /// One step towards `limit` from now, or to it where that is nearer; backwards where limit < 0. state.time is the
+  /// beginning of the step and stays so: the caller keeps the time. Returns the length, negative backwards; on failure
+  /// 0: the state is untouched and report.particle is the component or particle concerned.
+  T step(State& state, const T& limit, Report& report);
+
+  /// Moves the state to time `until` exactly, forwards or backwards; the time is a compensated sum of the steps. On any
+  /// outcome but success the state is the last good one. Throws std::invalid_argument for an `until` that is not finite.
+  Report run(State& state, const T& until, const RunOptions& options = {});
+
+  /// The series about the beginning of the last step.
+  const Series& series() const { return series_.series(); }
+
+  const Work& work() const { return work_; }
+
+ protected:
+  /// beyond: see StoppedSeries. Throws std::invalid_argument for options that are out of range.
+  OneClockTaylor(const std::string& name, Options options, Series series, int beyond);
+
+  /// The degree of the options; the largest one of a law, where there is one.
+  static int degree_of(const Options& options) { return law_of(options).max_degree(); }
+
+  /// At a time of the last step; after a failure, of the series from where it failed.
+  State state_at(const T& t) const {
+    State state;
+    self().sum(begin_, T(t - begin_.time), state);
+    state.time = t;
+    return state;
+  }
+
+  static bool finite(const T& x) {
+    using std::isfinite;
+    return isfinite(x);
+  }
+
+  Options options_;
+  StoppedSeries<Series> series_;
+  Work work_;
+
+ private:
+  const Method& self() const { return static_cast<const Method&>(*this); }
+  Method& self() { return static_cast<Method&>(*this); }
+
+  static Options checked(const std::string& name, Options options);
+  static Truncation truncation_of(const Options& options) {
+    return options.law ? *options.law : Truncation(fixed_degree(std::max(options.degree, 1)));
+  }
+  static TruncationLaw law_of(const Options& options) { return known_beforehand(truncation_of(options)); }
+
+  T proposal(const T& limit) const;
+  Report underflow(const T& time, const T& h) const;
+
+  State begin_, next_;  // of the last step; room for the end of one
+  std::uint64_t update_ = 0;
+};
+
+// ---- definitions -----------------------------------------------------------------------------------------
+
+template <class Method, class Series, class State, class Options>
+OneClockTaylor<Method, Series, State, Options>::OneClockTaylor(const std::string& name, Options options,
+                                                               Series series, int beyond)
+    : options_(checked(name, std::move(options))),
+      series_(std::move(series), Stops(truncation_of(options_), options_.draws, options_.seed), beyond) {}
+
+template <class Method, class Series, class State, class Options>
+Options OneClockTaylor<Method, Series, State, Options>::checked(const std::string& name, Options options) {
+  if (options.degree < 2 && !options.law)
+    throw std::invalid_argument(name + ": degree must be >= 2, got " + std::to_string(options.degree));
+  options.degree = degree_of(options);
+  require_positive("max_step", options.max_step, true);
+  if (options.step) require_positive("step", *options.step);
+  return options;
+}
+
+template <class Method, class Series, class State, class Options>
+auto OneClockTaylor<Method, Series, State, Options>::step(State& state, const T& limit, Report& report) -> T {
+  begin_ = state;
+  self().start(state);
+  series_.draw(update_);
+  if (!options_.step) series_.grow_to(self().orders_read());
+  const T h = proposal(limit);
+  if (h == T(0) || T(state.time + h) == state.time) {
+    if (self().series_is_finite(report)) report = underflow(state.time, h);
+    return T(0);
+  }
+  series_.stop(h, update_);
+  self().sum(state, h, next_);
+  if (!self().is_finite(next_, report)) {
+    Report of_series;
+    if (!self().series_is_finite(of_series)) report = of_series;
+    return T(0);
+  }
+  next_.time = state.time;
+  if (!options_.compensated) next_.drop_rests();
+  std::swap(state, next_);
+  ++update_;
+  ++work_.steps;
+  self().count();
+  return h;
+}
+
+template <class Method, class Series, class State, class Options>
+Report OneClockTaylor<Method, Series, State, Options>::run(State& state, const T& until,
+                                                           const RunOptions& options) {
+  if (!finite(until) || !finite(state.time))
+    throw std::invalid_argument("run: until and the time of the state must be finite");
+  T lost(0);  // what rounding has cut from state.time
+  for (std::uint64_t n = 0; state.time != until; ++n) {
+    if (n >= options.max_steps)
+      return {Outcome::step_limit,
+              "the largest number of steps, " + std::to_string(options.max_steps) +
+                  ", is used up at t = " + shown(state.time) + "; allow more",
+              -1};
+    Report report;
+    const T begin = state.time, limit = T(until - begin) - lost;
+    const T h = step(state, limit, report);
+    if (report.outcome != Outcome::success) return report;
+    const TwoPart<T> sum = two_sum(begin, T(h + lost));
+    state.time = h == limit ? until : sum.high;
+    lost = sum.low;
+    if (options.after_step && !options.after_step({self(), state, begin}))
+      return {Outcome::interrupted, "stopped at t = " + shown(state.time), -1};
+  }
+  return {};
+}
+
+/// The step asked for or that of Jorba and Zou, signed; the limit where that is nearer or nearly reached.
+template <class Method, class Series, class State, class Options>
+auto OneClockTaylor<Method, Series, State, Options>::proposal(const T& limit) const -> T {
+  using std::abs;
+  const auto chosen = [&] {
+    const double unit = static_cast<double>(series().time_unit());
+    return std::min(self().jorba_zou(options_.max_step / unit) * unit, options_.max_step);
+  };
+  const T h(options_.step ? *options_.step : chosen());
+  if (h >= T(abs(limit) * T(1.0 - 1e-9))) return limit;
+  return limit < T(0) ? T(-h) : h;
+}
+
+template <class Method, class Series, class State, class Options>
+Report OneClockTaylor<Method, Series, State, Options>::underflow(const T& time, const T& h) const {
+  return {Outcome::step_underflow,
+          "step " + shown(h) + " at t = " + shown(time) +
+              " no longer changes the time: the solution is singular there, or the time is too large; "
+              "end before it, or count the time from a later origin",
+          -1};
+}
+
+}  // namespace jetlag

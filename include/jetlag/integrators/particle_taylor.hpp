@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Taylor's method for systems of particles in any number type, forwards and backwards in time.
+//
+//   using Digits50 = boost::multiprecision::cpp_bin_float_50;
+//   System<Digits50> system(2, {1, 1});
+//   system.add<Gravity>({{0, 1}}, {{1}});
+//   ParticleTaylor<Digits50> method(system);
+//   const Report report = method.run(state, until);      //  state.time is `until`, unless the report says why not
+//
+// In double there is more to choose: integrators/taylor.hpp with a control and a schedule. The series and its draws are the
+// same. Kinks of forces (control/to_kinks.hpp) are not looked for.
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "jetlag/base/text.hpp"
+#include "jetlag/integrators/one_clock_taylor.hpp"
+#include "jetlag/motion/expansion.hpp"
+#include "jetlag/truncation/draws.hpp"
+#include "jetlag/truncation/sequential.hpp"
+
+namespace jetlag {
+
+/// As FirstOrderOptions; a law has one draw for all particles, and the velocities their own series.
+template <class T = double>
+struct ParticleTaylorOptions {
+  int degree = degree_of_precision<T>();
+  double max_step = std::numeric_limits<double>::infinity();  // [s]
+  bool compensated = true;
+  std::optional<double> step{};  // [s]
+  std::optional<Truncation> law{};
+  Draw draws = Draw::independent;
+  std::uint64_t seed = 1;
+};
+
+template <class T>
+class ParticleTaylor;
+template <class T>
+using ParticleTaylorBase =
+    OneClockTaylor<ParticleTaylor<T>, Expansion<T>, State<T>, ParticleTaylorOptions<T>>;
+
+/// The step is the smaller one of those for positions and velocities, see JorbaZou. A step is a choice, not a result: it is
+/// made in doubles; the time and all that is summed are of type T.
+template <class T = double>
+class ParticleTaylor : public ParticleTaylorBase<T> {
+  using Base = ParticleTaylorBase<T>;
+  friend Base;
+
+ public:
+  /// Keeps no reference to the system. Throws std::invalid_argument for options that are out of range.
+  explicit ParticleTaylor(const System<T>& system, ParticleTaylorOptions<T> options = {});
+
+  /// The state at a time of the last step, by Horner's rule; after a failure, of the series from where it failed.
+  State<T> at(const T& t) const { return this->state_at(t); }
+
+ private:
+  using Base::finite;
+  using Base::series;
+
+  void start(const State<T>& state) { this->series_.start(state); }
+  int orders_read() const { return this->options_.degree + 1; }
+  double jorba_zou(double max_step) const {
+    return jorba_zou_step_of(series(), this->options_.degree, max_step);
+  }
+  void sum(const State<T>& from, const T& h, State<T>& to) const;
+  bool series_is_finite(Report& report) const;
+  bool is_finite(const State<T>& end, Report& report) const;
+  int first_not_finite(const Coordinates<T>& rows) const;
+  void count();
+
+  std::uint64_t moving_ = 0;
+};
+
+// ---- definitions -----------------------------------------------------------------------------------------
+
+template <class T>
+ParticleTaylor<T>::ParticleTaylor(const System<T>& system, ParticleTaylorOptions<T> options)
+    : Base("ParticleTaylor", options, Expansion<T>(system, Base::degree_of(options) + 1), 1) {
+  for (const bool fixed : system.fixed()) moving_ += fixed ? 0 : 1;
+}
+
+/// x + (rest of x + h (rest of v) + sum_{n>=1} w_n x_n h^n),   v + (rest of v + sum_{n>=1} w_n v_n h^n), and new rests.
+template <class T>
+void ParticleTaylor<T>::sum(const State<T>& from, const T& h, State<T>& to) const {
+  const T s = h / series().time_unit();
+  const T* w = this->series_.weights();
+  const int top = this->series_.stops().degree();
+  const auto rest = [](const Coordinates<T>& rests, Eigen::Index i) {
+    return rests.size() == 0 ? T(0) : rests.data()[i];
+  };
+  const auto add = [&](const Coordinates<T>& y, const auto& rest_of, Coordinates<T>& end,
+                       Coordinates<T>& cut) {
+    cut.resizeLike(y);
+    for (Eigen::Index i = 0; i < y.size(); ++i) {  // `end` holds the sums from order 1 on, over s
+      const T change = rest_of(i) + T(s * end.data()[i]);
+      const TwoPart<T> next = two_sum(y.data()[i], change);
+      end.data()[i] = next.high;
+      cut.data()[i] = next.low;
+    }
+  };
+  series().position_sum(1, top, w, s, to.position);
+  add(
+      from.position,
+      [&](Eigen::Index i) { return T(rest(from.position_rest, i) + T(h * rest(from.velocity_rest, i))); },
+      to.position, to.position_rest);
+  series().velocity_sum(1, top, w, s, to.velocity);
+  add(
+      from.velocity, [&](Eigen::Index i) { return rest(from.velocity_rest, i); }, to.velocity,
+      to.velocity_rest);
+}
+
+template <class T>
+int ParticleTaylor<T>::first_not_finite(const Coordinates<T>& rows) const {
+  for (Eigen::Index i = 0; i < rows.size(); ++i)
+    if (!finite(rows.data()[i])) return static_cast<int>(i / rows.cols());
+  return -1;
+}
+
+template <class T>
+bool ParticleTaylor<T>::series_is_finite(Report& report) const {
+  for (int k = 0; k <= series().order(); ++k) {
+    const int bad = first_not_finite(series().position(k));
+    if (bad < 0) continue;
+    report = {Outcome::non_finite,
+              "coefficient " + std::to_string(k) + " of the motion of particle " + std::to_string(bad) +
+                  " is not finite at t = " + shown(series().time()) +
+                  ": the force is singular there (particles that coincide?), or the motion has blown up; end "
+                  "before",
+              bad};
+    return false;
+  }
+  return true;
+}
+
+template <class T>
+bool ParticleTaylor<T>::is_finite(const State<T>& end, Report& report) const {
+  const int bad = std::max(first_not_finite(end.position), first_not_finite(end.velocity));
+  if (bad < 0) return true;
+  report = {Outcome::non_finite,
+            "particle " + std::to_string(bad) + " after the step from t = " + shown(series().time()) +
+                " is not finite: the motion has blown up; end before",
+            bad};
+  return false;
+}
+
+template <class T>
+void ParticleTaylor<T>::count() {
+  this->work_.updates += moving_;
+  this->work_.coefficients += static_cast<std::uint64_t>(series().order() - 1) * moving_;
+  this->work_.element_coefficients = series().element_coefficients();
+  this->work_.degrees += static_cast<std::uint64_t>(this->series_.stops().degree()) * moving_;
+}
+
+extern template class OneClockTaylor<ParticleTaylor<double>, Expansion<double>, State<double>,
+                                     ParticleTaylorOptions<double>>;
+extern template class ParticleTaylor<double>;
+
+}  // namespace jetlag

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// New series: for a group of particles, expanded together about a tick, or for all.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "jetlag/base/text.hpp"
+#include "jetlag/integrators/integrator.hpp"
+#include "schedule/local_motion.hpp"
+#include "schedule/stopped_sum.hpp"
+
+namespace jetlag {
+
+/// What others are told of a particle: its series with the weights of its degree.
+template <int stride>
+void LocalMotion::told(int particle, double* to, std::size_t next_order) const {
+  const double* c = series(particle);
+  if (stops_.law().is_fixed()) {
+    for (int n = 0; n <= order_; ++n)
+      for (int d = 0; d < stride; ++d) to[n * next_order + d] = c[n * stride + d];
+    return;
+  }
+  const double* weights = stops_.weights();
+  for (int n = 0; n <= order_; ++n)
+    for (int d = 0; d < stride; ++d)
+      to[n * next_order + d] = n <= degree_[particle] ? weights[n] * c[n * stride + d] : 0.0;
+}
+
+bool LocalMotion::finite_series(const double* c, int particle, Count now, Report& report) const {
+  for (std::size_t i = 0; i < size_; ++i) {
+    if (std::isfinite(c[i])) continue;
+    report = {Outcome::non_finite,
+              "coefficient " + std::to_string(i / stride_) + " of the motion of particle " +
+                  std::to_string(particle) + " is not finite at t = " + shown(ticks_.time(now)) +
+                  ": the force is singular there (particles that coincide?), or the motion has blown up; "
+                  "separate the particles, soften the force or take a smaller tolerance",
+              particle};
+    return false;
+  }
+  return true;
+}
+
+void LocalMotion::publish(int particle, Count now, std::uint64_t group) {
+  begin_[particle] = now;
+  if (!stops_.law().is_fixed())
+    degree_[particle] = options_.shared_draw
+                            ? stops_.drawn(shared_by_all, group)
+                            : stops_.drawn(static_cast<std::uint32_t>(particle), updates_[particle]);
+  ++updates_[particle];
+  work_.degrees += degree_[particle];
+}
+
+void LocalMotion::count(std::size_t updated) {
+  ++groups_;
+  ++work_.steps;
+  work_.updates += updated;
+  work_.coefficients += static_cast<std::uint64_t>(order_ - 1) * updated;
+  work_.element_coefficients = all_.element_coefficients() + partial_coefficients_;
+}
+
+bool LocalMotion::update(PartialExpansion& group, Count now, Report& report) {
+  const std::uint64_t before = group.element_coefficients();
+  const bool done = stride_ == 1   ? update_padded<1>(group, now, report)
+                    : stride_ == 2 ? update_padded<2>(group, now, report)
+                                   : update_padded<4>(group, now, report);
+  partial_coefficients_ += group.element_coefficients() - before;
+  if (!done) return false;
+  for (int i : group.active()) publish(i, now, groups_);
+  count(group.active().size());
+  return true;
+}
+
+template <int stride>
+bool LocalMotion::update_padded(PartialExpansion& group, Count now, Report& report) {
+  const auto &active = group.active(), &known = group.known();
+  const std::size_t next_order = group.next_order();
+  const bool own = options_.velocity == VelocitySeries::own_series;
+  for (std::size_t a = 0; a < active.size(); ++a)
+    stopped_sum<stride>(series(active[a]), degree_[active[a]], stops_.weights(), own,
+                        ticks_.seconds(now - begin_[active[a]]), group.active_row(0, a),
+                        group.active_row(1, a));
+  shift_.clear();
+  for (std::size_t b = 0; b < known.size(); ++b) {
+    told<stride>(known[b], group.known_row(0, b), next_order);
+    shift_.push_back(ticks_.seconds(now - begin_[known[b]]));
+  }
+  if (!known.empty()) group.shift_known(order_, shift_);
+  group.grow_to(order_, ticks_.time(now));
+
+  // Nothing is taken over before all of it is known to be finite.
+  const double* grown = group.active_row(0, 0);
+  double not_finite = 0;  // x - x is 0, or NaN
+  for (int n = 0; n <= order_; ++n) {
+    double of_order = 0;
+    for (std::size_t i = 0; i < active.size() * stride; ++i) {
+      const double x = grown[n * next_order + i];
+      of_order += x - x;
+    }
+    not_finite += of_order;
+  }
+  const auto copy = [&](std::size_t a, double* to) {
+    for (int n = 0; n <= order_; ++n)
+      for (int d = 0; d < stride; ++d) to[n * stride + d] = grown[n * next_order + a * stride + d];
+  };
+  if (!(not_finite == 0)) {
+    rows_.resize(size_);
+    for (std::size_t a = 0; a < active.size(); ++a) {
+      copy(a, rows_.data());
+      if (!finite_series(rows_.data(), active[a], now, report)) return false;
+    }
+  }
+  for (std::size_t a = 0; a < active.size(); ++a) copy(a, series(active[a]));
+  return true;
+}
+
+bool LocalMotion::update_all(Count now, Report& report) {
+  all_.start(at_tick(now));
+  all_.grow_to(order_);
+  if (!all_finite(all_, report)) return false;
+  for (int n = 0; n <= order_; ++n) {
+    const auto x = all_.position(n);
+    for (int i : moving_)
+      for (int d = 0; d < dimension_; ++d) series(i)[n * stride_ + d] = x(i, d);
+  }
+  for (int i : moving_) publish(i, now, groups_);
+  count(moving_.size());
+  return true;
+}
+
+}  // namespace jetlag
