@@ -22,7 +22,8 @@ OutputOptions read_output(const Value& output) {
   output.only(allowed(scene_keys(), "output"));
   OutputOptions options;
   options.frames = static_cast<int>(output.at("frames", options.frames).integer(1, 1'000'000));
-  for (const auto& [name, asked] : output_keys) options.*asked = output.at(name, options.*asked).boolean();
+  for (const OutputKey& key : output_keys)
+    options.*key.asked = output.at(key.name, options.*key.asked).boolean();
   return options;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/scene_page.hpp"
 
+#include "jetlag/output/output_options.hpp"
 #include "scenes/choices.hpp"
 
 namespace jetlag {
@@ -81,24 +82,26 @@ std::string sections(const Records& records) {
 }  // namespace
 
 const SceneKeys& scene_keys() {
-  static const SceneKeys keys = {
-      {"name", "text", "scene"},
-      {"dimension", "1, 2, 3", "3"},
-      {"particles", "an object, see below", "required"},
-      {"forces", "a list of objects, see below", "none"},
-      {"integrator", "an object with the `type` of a method, see the page of each", "required"},
-      {"control", "an object with a `type`, see below and the page of the method",
-       "required by most methods"},
-      {"schedule", "an object with a `type`, see the page of the method", "none: that of the method"},
-      {"until", "the end [s], > 0", "required"},
-      {"seed", "of all that is random, whole number from 0 to 2^64 - 1", "1"},
-      {"output", "an object", "none"},
-      {"output.frames", "besides the first, evenly spaced in time, 1 to 1000000", "100"},
-      {"output.energy", "true, false: `energy.csv`, `energy.svg`, and the energy in the summary", "true"},
-      {"output.pictures", "true, false: through gnuplot, where it is there", "true"},
-      {"output.clocks",
-       "true, false: who was updated when: `clocks.csv`, `clocks.svg`, `step` and `degree` in the frames",
-       "false"}};
+  static const SceneKeys keys = [] {
+    const OutputOptions unasked;
+    SceneKeys keys = {
+        {"name", "text", "scene"},
+        {"dimension", "1, 2, 3", "3"},
+        {"particles", "an object, see below", "required"},
+        {"forces", "a list of objects, see below", "none"},
+        {"integrator", "an object with the `type` of a method, see the page of each", "required"},
+        {"control", "an object with a `type`, see below and the page of the method",
+         "required by most methods"},
+        {"schedule", "an object with a `type`, see the page of the method", "none: that of the method"},
+        {"until", "the end [s], > 0", "required"},
+        {"seed", "of all that is random, whole number from 0 to 2^64 - 1", "1"},
+        {"output", "an object", "none"},
+        {"output.frames", "besides the first, evenly spaced in time, 1 to 1000000", "100"}};
+    for (const auto& [name, asked, what] : output_keys)
+      keys.push_back({"output." + std::string(name), "true, false: " + std::string(what),
+                      unasked.*asked ? "true" : "false"});
+    return keys;
+  }();
   return keys;
 }
 

@@ -204,7 +204,7 @@ TEST(BlockSteps, RecordTheSameMotionHoweverARunIsCut) {
   // A run that goes on between two updates shows its observer the rest of that step first.
   const Scene scene = stiff_spot_in_a_chain(16, 1e3);
   State<double> whole = scene.start, cut = scene.start;
-  BlockSteps at_once(scene.system, 10, steps(1e-11)), in_parts(scene.system, 10, steps(1e-11));
+  BlockSteps at_once(scene.system, 10, steps(1e-11, 0.25)), in_parts(scene.system, 10, steps(1e-11, 0.25));
   Trajectory one, parts;
   ASSERT_EQ(record(at_once, whole, 1.0, one).outcome, Outcome::success);
   for (const double until : {0.123, 0.5, 0.777, 1.0})

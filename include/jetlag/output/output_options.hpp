@@ -15,9 +15,12 @@ struct OutputOptions {
 struct OutputKey {
   const char* name;
   bool OutputOptions::* asked;
+  const char* what;  // in Markdown
 };
-inline constexpr OutputKey output_keys[] = {{"energy", &OutputOptions::energy},
-                                            {"pictures", &OutputOptions::pictures},
-                                            {"clocks", &OutputOptions::clocks}};
+inline constexpr OutputKey output_keys[] = {
+    {"energy", &OutputOptions::energy, "`energy.csv`, `energy.svg`, and the energy in the summary"},
+    {"pictures", &OutputOptions::pictures, "through gnuplot, where it is there"},
+    {"clocks", &OutputOptions::clocks,
+     "who was updated when: `clocks.csv`, `clocks.svg`, `step` and `degree` in the frames"}};
 
 }  // namespace jetlag
