@@ -6,9 +6,17 @@
 #include <map>
 
 #include "jetlag/base/text.hpp"
-#include "jetlag/forces/drag.hpp"
 
 namespace jetlag {
+
+namespace {
+
+/// The parameters of element e.
+const double* parameters_of(const Elements<double>& elements, std::size_t e) {
+  return elements.parameters.data() + e * elements.law.parameters.size();
+}
+
+}  // namespace
 
 std::vector<double> frequency_bounds(const System<double>& system) {
   std::vector<double> load(system.particles(), 0.0);  // sum of stiffness / mass at a particle
@@ -16,10 +24,10 @@ std::vector<double> frequency_bounds(const System<double>& system) {
   const auto for_each_stiff = [&](auto use) {
     for (const auto& elements : system.elements()) {
       const auto& law = elements.law;
-      if (law.stiffness_parameter < 0) continue;
+      if (law.stiffness == nullptr) continue;
       for (std::size_t e = 0; e < elements.count(); ++e)
         use(&elements.particles[e * law.participants], law.participants,
-            elements.parameters[e * law.parameters.size() + law.stiffness_parameter]);
+            law.stiffness(parameters_of(elements, e)));
     }
   };
   for_each_stiff([&](const int* p, int participants, double k) {
@@ -40,13 +48,27 @@ double frequency_bound(const System<double>& system) {
   return bounds.empty() ? 0.0 : *std::ranges::max_element(bounds);
 }
 
+std::string unbounded_force(const System<double>& system) {
+  for (const auto& elements : system.elements())
+    if (elements.count() > 0 && elements.law.stiffness == nullptr &&
+        reads(elements.law, Input::Kind::position))
+      return elements.law.name;
+  return {};
+}
+
+void require_bounded(const System<double>& system) {
+  if (const std::string force = unbounded_force(system); !force.empty())
+    throw std::invalid_argument("courant: no stiffness is known of " + force +
+                                ", so that nothing bounds the step; leave courant out");
+}
+
 double common_damping(const System<double>& system) {
   std::vector<double> rate(system.particles(), 0.0);
   for (const auto& elements : system.elements())
-    if (elements.law.name == Drag::name)
+    if (elements.law.damping != nullptr)
       for (std::size_t e = 0; e < elements.count(); ++e) {
         const int i = elements.particles[e];
-        rate[i] += elements.parameters[e * elements.law.parameters.size()] / system.mass()[i];
+        rate[i] += elements.law.damping(parameters_of(elements, e)) / system.mass()[i];
       }
   double least = std::numeric_limits<double>::infinity(), most = 0;
   for (int i = 0; i < system.particles(); ++i)
@@ -63,6 +85,7 @@ double courant_limit(const TruncationLaw& law, VelocitySeries velocity, double o
 
 std::vector<double> courant_steps_of_particles(const System<double>& system, const TruncationLaw& law,
                                                VelocitySeries velocity, double safety) {
+  require_bounded(system);
   const double damping = common_damping(system);
   const std::vector<double> omega = frequency_bounds(system);
   const double fastest = omega.empty() ? 0.0 : *std::ranges::max_element(omega);

@@ -20,9 +20,8 @@ Kinks::Kinks(const System<double>& system) : dimension_(system.dimension()), fix
       if (!is_fixed(elements.particles[m]))
         of[elements.particles[m]].push_back(
             {static_cast<int>(laws_.size()), static_cast<int>(m / participants)});
-    laws_.push_back({elements.law.kink, participants, elements.particles, elements.parameters,
-                     elements.law.parameters.size(),
-                     participants == 2 && elements.law.kink_components == dimension_});
+    laws_.push_back({elements.law.kink, participants, elements.law.is_external(), elements.particles,
+                     elements.parameters, elements.law.parameters.size(), elements.law.has_point_kinks()});
   }
   if (laws_.empty()) return;
   first_.push_back(0);
@@ -37,7 +36,7 @@ Kinks::Kinks(const System<double>& system) : dimension_(system.dimension()), fix
 void Kinks::forget() { tracks_.assign(place_.size(), {{}, {}, 0, -1, 0, 0}); }
 
 Eigen::Vector3d Kinks::kink(const Element& e, double s, const Paths& now) const {
-  double x[9];
+  double x[3 * most_participants];
   double* next = x;
   for (int i : particles_of(e)) {
     now.at(i, s, next);
@@ -49,7 +48,7 @@ Eigen::Vector3d Kinks::kink(const Element& e, double s, const Paths& now) const 
 
 /// The length of an element's kink, of the tracks of its particles.
 double Kinks::length(const Element& e, double now) const {
-  double x[9];
+  double x[3 * most_participants];
   double* next = x;
   for (int i : particles_of(e)) {
     const Track& track = tracks_[i];
@@ -60,20 +59,33 @@ double Kinks::length(const Element& e, double now) const {
   return law.kink(x, law.parameters.data() + e.number * law.width).norm();
 }
 
-/// Half of the kink is for the time in which the tracks may use it up, a quarter for the room of each of two particles, or
-/// less where the other one has reached farther in the step that it is in.
-Kinks::Share Kinks::share(const Element& e, int particle, double length) const {
-  const Track& track = tracks_[particle];
-  double speed = 0, room = 0.5 * length;
-  for (int c = 0; c < dimension_; ++c) {
-    double v = track.v[c];
-    for (int i : particles_of(e))
-      if (i != particle) v -= tracks_[i].v[c];
-    speed += v * v;
+/// What the room of each particle of an element takes of its kink: together they take half.
+double Kinks::part(const Element& e, double length) const { return 0.5 * length / laws_[e.law].participants; }
+
+/// How fast the tracks may use the kink up: by the speeds as the last particle sees them, or if there may be something
+/// outside that they all approach, by their own.
+double Kinks::speed(const Element& e) const {
+  const auto particles = particles_of(e);
+  const bool outside = laws_[e.law].is_external;
+  double sum = 0;
+  for (std::size_t p = 0; p + (outside ? 0 : 1) < particles.size(); ++p) {
+    double square = 0;
+    for (int c = 0; c < dimension_; ++c) {
+      const double v = tracks_[particles[p]].v[c] - (outside ? 0.0 : tracks_[particles.back()].v[c]);
+      square += v * v;
+    }
+    sum += std::sqrt(square);
   }
+  return sum;
+}
+
+/// Half of the kink is for the time in which the tracks may use it up, the other half for the rooms of its particles in
+/// equal parts, or less for this one where another has reached farther in the step that it is in.
+Kinks::Share Kinks::share(const Element& e, int particle, double length) const {
+  double room = 0.5 * length;
   for (int i : particles_of(e))
-    if (i != particle && !fixed_[i]) room -= std::max(0.25 * length, tracks_[i].reached);
-  return {room, 0.5 * length / std::sqrt(speed)};
+    if (i != particle && !fixed_[i]) room -= std::max(part(e, length), tracks_[i].reached);
+  return {room, 0.5 * length / speed(e)};
 }
 
 /// Room for a particle about its new track.
@@ -86,7 +98,7 @@ void Kinks::look(int particle, double now) {
     own.until = std::min(own.until, now + share.time);
     for (int i : particles_of(e)) {
       if (i == particle) continue;
-      tracks_[i].room = std::min(tracks_[i].room, 0.25 * length);
+      tracks_[i].room = std::min(tracks_[i].room, part(e, length));
       tracks_[i].until = std::min(tracks_[i].until, now + share.time);
     }
   }

@@ -27,7 +27,7 @@ std::optional<Recorded> scaled_power(Recording& recording, const std::vector<Nod
   return recording.operation(rule_id<Power>, {recording.node_of(exponent), scaled.node()}, false);
 }
 
-/// The force on the first participant of one element, recorded.
+/// The forces that the law of one element gives, recorded: component by component.
 std::vector<Recorded> record_element(Recording& recording, const RecordedLaw& law, const int* particles,
                                      const double* parameters, const std::vector<double>& mass) {
   const int width = static_cast<int>(law.parameters.size());
@@ -38,7 +38,7 @@ std::vector<Recorded> record_element(Recording& recording, const RecordedLaw& la
     };
     switch (of.kind) {
       case Input::Kind::time: return recording.input(of);
-      case Input::Kind::separation: return position(of.participant) - position(1 - of.participant);
+      case Input::Kind::separation: return position(of.participant) - position(of.minus);
       default: return recording.input({of.kind, particles[of.participant], of.component});
     }
   };
@@ -105,10 +105,15 @@ Tape system_tape(const System<double>& system) {
       const int* particles = elements.particles.data() + e * p;
       const auto force = record_element(recording, elements.law, particles,
                                         elements.parameters.data() + e * width, system.mass());
-      for (int i = 0; i < p; ++i)
+      const auto on = [&](int participant, int c) -> Terms& {
+        return terms[static_cast<std::size_t>(particles[participant]) * dimension + c];
+      };
+      const int given = elements.law.given;
+      for (int i = 0; i < given; ++i)
         for (int c = 0; c < dimension; ++c) {
-          Terms& of = terms[static_cast<std::size_t>(particles[i]) * dimension + c];
-          if (!system.fixed()[particles[i]]) (i == 0 ? of.plus : of.minus).push_back(force[c]);
+          const Recorded& f = force[i * dimension + c];
+          if (!system.fixed()[particles[i]]) on(i, c).plus.push_back(f);
+          if (given < p && !system.fixed()[particles[given]]) on(given, c).minus.push_back(f);
         }
     }
   }

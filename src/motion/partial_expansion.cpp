@@ -83,15 +83,14 @@ std::vector<int> PartialExpansion::touched_elements(std::size_t law, std::vector
   for (int a : active_)
     for (int e : all_->elements_of(law, a)) {
       const int* members = &particles[e * participants];
-      if (participants == 2) {
-        const int other = members[0] == a ? members[1] : members[0];
-        if (places[other] < 0) {
+      const int first = *std::find_if(members, members + participants,
+                                      [&](int i) { return 0 <= places[i] && places[i] < active; });
+      if (first != a) continue;  // another participant is active too, and brings it
+      for (int i = 0; i < participants; ++i)
+        if (const int other = members[i]; places[other] < 0) {
           places[other] = active + 1 + static_cast<int>(known_.size());
           known_.push_back(other);
-        } else if (members[1] == a && places[other] < active) {
-          continue;  // the first participant is active too, and brings it
         }
-      }
       touched.push_back(e);
     }
   sort(touched, particles.size() / participants);

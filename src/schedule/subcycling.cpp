@@ -75,6 +75,7 @@ ParticleSteps courant_steps_of_particles(const System<double>& system, double fr
   }
   if (longest == 0)
     throw std::invalid_argument("courant: no particle has a stiffness that limits its step; give a step");
+  require_bounded(system);
   for (double& step : steps)
     if (step == 0) step = longest;
   return steps;

@@ -40,6 +40,7 @@ class ElementBlocks {
                 const KernelTable<T>& table, std::span<const int> rank = {})
       : dimension_(system.dimension()),
         participants_(elements.law.participants),
+        given_(elements.law.given),
         order_(running_order(elements, rank)),
         blocks_(Program(tape), elements.count(), parameters_with_masses(system, elements),
                 table.fitting(elements.count())) {
@@ -51,9 +52,11 @@ class ElementBlocks {
         continue;
       }
       auto rows = std::ranges::find_if(inputs_, [&](const InputRows& known) {
-        return known.kind == input.kind && known.participant == input.participant;
+        return known.kind == input.kind && known.participant == input.participant &&
+               known.minus == input.minus;
       });
-      if (rows == inputs_.end()) rows = inputs_.insert(rows, {input.kind, input.participant, {}});
+      if (rows == inputs_.end())
+        rows = inputs_.insert(rows, {input.kind, input.participant, input.minus, {}});
       rows->component[input.component] = place;
     }
     row_.resize(blocks_.blocks() * participants_ * lanes);
@@ -144,8 +147,8 @@ class ElementBlocks {
   /// Of `orders` orders from k on, those that are not zero for certain.
   int running(int k, int orders) const { return !is_static() ? orders : k == 0 ? 1 : 0; }
 
-  /// Coefficients k .. k + orders - 1 of the forces of the elements in a chunk, added to the participants: + on the first,
-  /// - on the second. force: rows of order k; those of order k + 1 follow at the distance next_order. Not used when the
+  /// Coefficients k .. k + orders - 1 of the forces of the elements in a chunk, added to the participants: + on those whose
+  /// force the law gives, - on the last one where it is not among them. force: rows of order k; those of order k + 1 follow at the distance next_order. Not used when the
   /// chunks push rows of their own.
   void push(std::size_t chunk, int k, int orders, const MotionRows<T>& motion, T* force) {
     orders = running(k, orders);
@@ -159,12 +162,15 @@ class ElementBlocks {
     }
     for (std::size_t b = first_block(chunk); b < first_block(chunk + 1); ++b) {
       run(b, k, orders, motion);
-      for (int n = 0; n < orders; ++n) {
-        std::array<const T*, 3> f{};
-        for (int c = 0; c < dimension_; ++c) f[c] = blocks_.at(b, blocks_.program().outputs[c], k + n);
-        blocks_.table().scatter(dimension_, blocks_.active(b), f.data(), pushed_rows(b, 0),
-                                participants_ == 2 ? pushed_rows(b, 1) : nullptr, force + n * next);
-      }
+      const int* last = given_ < participants_ ? pushed_rows(b, given_) : nullptr;
+      for (int n = 0; n < orders; ++n)
+        for (int i = 0; i < given_; ++i) {
+          std::array<const T*, 3> f{};
+          for (int c = 0; c < dimension_; ++c)
+            f[c] = blocks_.at(b, blocks_.program().outputs[i * dimension_ + c], k + n);
+          blocks_.table().scatter(dimension_, blocks_.active(b), f.data(), pushed_rows(b, i), last,
+                                  force + n * next);
+        }
     }
   }
 
@@ -194,6 +200,7 @@ class ElementBlocks {
   explicit ElementBlocks(const ElementBlocks* all)
       : dimension_(all->dimension_),
         participants_(all->participants_),
+        given_(all->given_),
         blocks_(all->blocks_.program(), 0, {}, all->blocks_.table()),
         time_(all->time_),
         inputs_(all->inputs_) {}
@@ -201,7 +208,7 @@ class ElementBlocks {
   /// The positions, velocities or separations of one participant; components that no rule reads go to waste.
   struct InputRows {
     Input::Kind kind;
-    int participant;
+    int participant, minus;
     std::array<std::optional<Place>, 3> component;
   };
 
@@ -218,15 +225,19 @@ class ElementBlocks {
     return elements.particles[order_[blocks_.element(b, lane)] * participants_ + participant];
   }
 
-  /// Elements sorted by the lower, then the higher rank of their particles.
+  /// Elements sorted by the lowest, then the highest rank of their particles.
   static std::vector<std::size_t> running_order(const Elements<T>& elements, std::span<const int> rank) {
     std::vector<std::size_t> order(elements.count());
     std::iota(order.begin(), order.end(), std::size_t{0});
     if (rank.empty()) return order;
     const int p = elements.law.participants;
     const auto key = [&](std::size_t e) {
-      const int a = rank[elements.particles[e * p]], b = rank[elements.particles[e * p + p - 1]];
-      return std::array{std::min(a, b), std::max(a, b)};
+      std::array ends{rank[elements.particles[e * p]], rank[elements.particles[e * p]]};
+      for (int i = 1; i < p; ++i) {
+        const int of = rank[elements.particles[e * p + i]];
+        ends = {std::min(ends[0], of), std::max(ends[1], of)};
+      }
+      return ends;
     };
     std::ranges::sort(
         order, [&](std::size_t e, std::size_t f) { return std::pair(key(e), e) < std::pair(key(f), f); });
@@ -260,7 +271,7 @@ class ElementBlocks {
         to[c] = input.component[c] ? blocks_.at(b, *input.component[c], k) : waste;
       const T* from =
           (input.kind == Input::Kind::velocity ? motion.velocity : motion.position) + n * motion.next_order;
-      const int* minus = input.kind == Input::Kind::separation ? rows(b, 1 - input.participant) : nullptr;
+      const int* minus = input.kind == Input::Kind::separation ? rows(b, input.minus) : nullptr;
       blocks_.table().gather(dimension_, from, rows(b, input.participant), minus, to.data());
       if (k == 0 && motion.position_rest && minus) add_rests(b, input, motion.position_rest);
     }
@@ -268,14 +279,14 @@ class ElementBlocks {
 
   /// A separation of order 0 gains the difference of what the positions have beyond the number.
   void add_rests(std::size_t b, const InputRows& input, const T* rest) {
-    const int *plus = rows(b, input.participant), *minus = rows(b, 1 - input.participant);
+    const int *plus = rows(b, input.participant), *minus = rows(b, input.minus);
     for (int c = 0; c < dimension_; ++c)
       if (input.component[c])
         for (int lane = 0; lane < blocks_.lanes(); ++lane)
           blocks_.at(b, *input.component[c], 0)[lane] += rest[plus[lane] + c] - rest[minus[lane] + c];
   }
 
-  int dimension_, participants_;
+  int dimension_, participants_, given_;
   std::vector<std::size_t> order_;  // of the elements, while they are set up
   Blocks<T> blocks_;
   std::optional<Place> time_;

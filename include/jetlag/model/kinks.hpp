@@ -105,10 +105,11 @@ class Kinks {
   struct Law {
     RecordedLaw::Kink kink;
     int participants;
+    bool is_external;
     std::vector<int> particles;      // shape (elements, participants)
     std::vector<double> parameters;  // shape (elements, parameters)
     std::size_t width;               // parameters of an element
-    bool is_point;                   // where two particles meet, as the ends of a spring
+    bool is_point;                   // where particles meet, as the ends of a spring
   };
   struct Element {
     int law, number;
@@ -132,6 +133,8 @@ class Kinks {
   };
   Eigen::Vector3d kink(const Element& e, double s, const Paths& now) const;
   double length(const Element& e, double now) const;
+  double part(const Element& e, double length) const;
+  double speed(const Element& e) const;
   Share share(const Element& e, int particle, double length) const;
   void look(int particle, double now);
   Crossing first_beyond(const Element& e, double h, double depth, const Paths& now) const;

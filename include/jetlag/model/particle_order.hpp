@@ -11,8 +11,8 @@
 
 namespace jetlag {
 
-/// The rank of each particle in the order of Cuthill and McKee (1969): breadth first over the graph of the elements of
-/// two particles, from a particle of least degree, neighbours by degree; ties by index. Shape (particles). The order in
+/// The rank of each particle in the order of Cuthill and McKee (1969): breadth first over the graph of the pairs
+/// that share an element, from a particle of least degree, neighbours by degree; ties by index. Shape (particles). The order in
 /// which the particles are given is kept unless the other brings neighbours twice as near: rows are stored as given.
 /// Empty for small systems, for which order does not matter, and for those where every particle meets every other.
 template <class T>
@@ -27,11 +27,15 @@ std::vector<int> cuthill_mckee(int vertices, const std::vector<int>& edges);
 
 template <class T>
 std::vector<int> particle_order(const System<T>& system) {
-  constexpr std::size_t small = 1000, dense = 64;  // elements; elements for each particle
+  constexpr std::size_t small = 1000, dense = 64;  // pairs; pairs for each particle
   std::vector<int> edges;
-  for (const auto& elements : system.elements())
-    if (elements.law.participants == 2)
-      edges.insert(edges.end(), elements.particles.begin(), elements.particles.end());
+  for (const auto& elements : system.elements()) {
+    const int p = elements.law.participants;
+    for (std::size_t first = 0; first < elements.particles.size(); first += p)
+      for (int i = 0; i < p; ++i)
+        for (int j = i + 1; j < p; ++j)
+          edges.insert(edges.end(), {elements.particles[first + i], elements.particles[first + j]});
+  }
   if (edges.size() / 2 < small || edges.size() / 2 > dense * system.particles()) return {};
   return detail::cuthill_mckee(system.particles(), edges);
 }
