@@ -60,7 +60,7 @@ Subcycling::Subcycling(const System<double>& system, const ParticleSteps& steps)
     }
   for (auto& [step, members] : particles) {
     const int clock = clock_of[members.front()];
-    add_clock(system, step, elements[clock], std::move(members));
+    add_clock(step, elements[clock], std::move(members));
   }
 }
 

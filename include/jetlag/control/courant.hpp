@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "jetlag/control/control.hpp"
-#include "jetlag/model/system.hpp"
+#include "jetlag/model/model.hpp"
 #include "jetlag/truncation/stability.hpp"
 
 namespace jetlag {
@@ -17,22 +17,22 @@ namespace jetlag {
 ///     |sum_i A_i x_i|^2 <= (sum_i l_i) sum_i |A_i x_i|^2 / l_i <= (sum_i l_i) k sum_i |x_i|^2 / l_i,
 /// and the sum of k / l_i over the elements at i is m_i. Fixed particles count as infinitely heavy. 0 when no law of the
 /// system has a stiffness. What the others do, such as gravity, is not bounded: see require_bounded.
-double frequency_bound(const System<double>& system);
+double frequency_bound(const Model<double>& model);
 
 /// The same for each particle, over the elements that it takes part in: how fast its neighbourhood may oscillate [rad/s].
 /// Shape (particles).
-std::vector<double> frequency_bounds(const System<double>& system);
+std::vector<double> frequency_bounds(const Model<double>& model);
 
 /// Throws std::invalid_argument naming a force that acts on positions and has no stiffness: then no fraction of
 /// frequency_bound is a safe step.
-void require_bounded(const System<double>& system);
+void require_bounded(const Model<double>& model);
 
 /// The first such force of a system; empty if there is none.
-std::string unbounded_force(const System<double>& system);
+std::string unbounded_force(const Model<double>& model);
 
 /// The rate c / m [1/s] at which laws with a damping c slow every particle that is not fixed, if it is the same for all of
 /// them: then each oscillation is q'' = -omega^2 q - (c/m) q'. Otherwise 0, on the safe side.
-double common_damping(const System<double>& system);
+double common_damping(const Model<double>& model);
 
 /// The Courant limit omega h [1]: how long a step may be for all oscillations of frequencies up to omega [rad/s] and of
 /// this damping [1/s] to be stable in mean square. 0 where there is none, as for degree 6 without damping.
@@ -44,7 +44,7 @@ void require_courant(double safety, double limit);
 /// safety * limit / omega for each particle by its own bound of the frequency, infinity where it has none [s]: for clocks of
 /// their own. It presumes that a neighbourhood oscillates as if all of it took such steps. Shape (particles).
 /// Throws std::invalid_argument as require_courant and require_bounded.
-std::vector<double> courant_steps_of_particles(const System<double>& system, const TruncationLaw& law,
+std::vector<double> courant_steps_of_particles(const Model<double>& model, const TruncationLaw& law,
                                                VelocitySeries velocity, double safety);
 
 /// Another control, cropped at  safety * limit / omega.
