@@ -44,13 +44,13 @@ ElementSteps courant_steps(const System<double>& system, double fraction);
 /// Steps meant to resonate with no oscillation of the system: each becomes the shortest one, h, times a power of two, not
 /// longer than it was and with
 ///     2^l h omega < 2,     omega = frequency_bound(system).
-/// omega_h = 2/h asin(h omega / 2) bounds every frequency of motion in steps of h. Clocks that nest repeat every H = 2^l h, the longest step, and
-/// a periodic linear Hamiltonian motion loses its stability only where two of its frequencies (or one, twice) add up to
-/// a multiple of 2 pi / H (M. Krein 1950; V. Arnold, Mathematical Methods of Classical Mechanics, app. 3 and 25 D):
-/// below omega_h H = pi none do, and with H omega < 2 it is below 2 pi/3. The soft elements shift the frequencies that h
-/// alone would give; pi/3 is left for that. H omega < 2 is itself needed for a fast motion that is all due to elements of
-/// the step H: a hub on many soft springs. Measured, not proved: no exception in millions of random systems of two and
-/// three nested clocks.
+/// omega_h = 2/h asin(h omega / 2) bounds every frequency of motion in steps of h. Clocks that nest repeat every
+/// H = 2^l h, the longest step, and a periodic linear Hamiltonian motion loses its stability only where two of its
+/// frequencies (or one, twice) add up to a multiple of 2 pi / H (M. Krein 1950; V. Arnold, Mathematical Methods of
+/// Classical Mechanics, app. 3 and 25 D): below omega_h H = pi none do, and H omega < 2 keeps it below 2 pi/3. The soft
+/// elements shift the frequencies that h alone would give; pi/3 is left for that. H omega < 2 is itself needed for a fast
+/// motion that is all due to elements of the step H: a hub on many soft springs. Measured, not proved: no exception in
+/// millions of random systems of two and three nested clocks.
 /// Forces without a bound on their stiffness are not covered. Throws std::invalid_argument where the shortest step is
 /// itself beyond 2/omega, and where no element has a stiffness.
 ElementSteps without_resonance(const System<double>& system, ElementSteps steps);
