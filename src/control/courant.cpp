@@ -6,51 +6,66 @@
 #include <map>
 
 #include "jetlag/base/text.hpp"
-#include "jetlag/forces/drag.hpp"
 
 namespace jetlag {
 
-std::vector<double> frequency_bounds(const System<double>& system) {
-  std::vector<double> load(system.particles(), 0.0);  // sum of stiffness / mass at a particle
-  const auto inverse_mass = [&](int i) { return system.fixed()[i] ? 0.0 : 1.0 / system.mass()[i]; };
-  const auto for_each_stiff = [&](auto use) {
-    for (const auto& elements : system.elements()) {
-      const auto& law = elements.law;
-      if (law.stiffness_parameter < 0) continue;
-      for (std::size_t e = 0; e < elements.count(); ++e)
-        use(&elements.particles[e * law.participants], law.participants,
-            elements.parameters[e * law.parameters.size() + law.stiffness_parameter]);
-    }
-  };
-  for_each_stiff([&](const int* p, int participants, double k) {
-    for (int i = 0; i < participants; ++i) load[p[i]] += k * inverse_mass(p[i]);
+namespace {
+
+/// f(particles, value) for each element whose law has this function of its parameters.
+template <class F>
+void for_each_with(const Model<double>& model, RecordedLaw::OfParameters RecordedLaw::* function, F use) {
+  for (const auto& law : model.laws()) {
+    const auto& [recorded, particles, parameters] = law->elements();
+    if (recorded.*function == nullptr) continue;
+    for (const int e : law->all())
+      use(law->particles_of(e), (recorded.*function)(parameters.data() + e * recorded.parameters.size()));
+  }
+}
+
+}  // namespace
+
+std::vector<double> frequency_bounds(const Model<double>& model) {
+  std::vector<double> load(model.particles(), 0.0);  // sum of stiffness / mass at a particle
+  for_each_with(model, &RecordedLaw::stiffness, [&](auto particles, double k) {
+    for (const int i : particles) load[i] += k * model.inverse_mass(i);
   });
-  std::vector<double> bound(system.particles(), 0.0);
-  for_each_stiff([&](const int* p, int participants, double) {
+  std::vector<double> bound(model.particles(), 0.0);
+  for_each_with(model, &RecordedLaw::stiffness, [&](auto particles, double) {
     double sum = 0;
-    for (int i = 0; i < participants; ++i) sum += load[p[i]];
-    for (int i = 0; i < participants; ++i) bound[p[i]] = std::max(bound[p[i]], sum);
+    for (const int i : particles) sum += load[i];
+    for (const int i : particles) bound[i] = std::max(bound[i], sum);
   });
   for (double& b : bound) b = std::sqrt(b);
   return bound;
 }
 
-double frequency_bound(const System<double>& system) {
-  const auto bounds = frequency_bounds(system);
+double frequency_bound(const Model<double>& model) {
+  const auto bounds = frequency_bounds(model);
   return bounds.empty() ? 0.0 : *std::ranges::max_element(bounds);
 }
 
-double common_damping(const System<double>& system) {
-  std::vector<double> rate(system.particles(), 0.0);
-  for (const auto& elements : system.elements())
-    if (elements.law.name == Drag::name)
-      for (std::size_t e = 0; e < elements.count(); ++e) {
-        const int i = elements.particles[e];
-        rate[i] += elements.parameters[e * elements.law.parameters.size()] / system.mass()[i];
-      }
+std::string unbounded_force(const Model<double>& model) {
+  for (const auto& law : model.laws()) {
+    const RecordedLaw& recorded = law->elements().law;
+    if (law->count() > 0 && recorded.stiffness == nullptr && reads(recorded, Input::Kind::position))
+      return recorded.name;
+  }
+  return {};
+}
+
+void require_bounded(const Model<double>& model) {
+  if (const std::string force = unbounded_force(model); !force.empty())
+    throw std::invalid_argument("courant: no stiffness is known of " + force +
+                                ", so that nothing bounds the step; leave courant out");
+}
+
+double common_damping(const Model<double>& model) {
+  std::vector<double> rate(model.particles(), 0.0);
+  for_each_with(model, &RecordedLaw::damping,
+                [&](auto particles, double c) { rate[particles[0]] += c / model.mass()[particles[0]]; });
   double least = std::numeric_limits<double>::infinity(), most = 0;
-  for (int i = 0; i < system.particles(); ++i)
-    if (!system.fixed()[i]) {
+  for (int i = 0; i < model.particles(); ++i)
+    if (!model.is_fixed(i)) {
       least = std::min(least, rate[i]);
       most = std::max(most, rate[i]);
     }
@@ -61,10 +76,11 @@ double courant_limit(const TruncationLaw& law, VelocitySeries velocity, double o
   return omega * band_stability_limit(law, velocity, {omega, damping});
 }
 
-std::vector<double> courant_steps_of_particles(const System<double>& system, const TruncationLaw& law,
+std::vector<double> courant_steps_of_particles(const Model<double>& model, const TruncationLaw& law,
                                                VelocitySeries velocity, double safety) {
-  const double damping = common_damping(system);
-  const std::vector<double> omega = frequency_bounds(system);
+  require_bounded(model);
+  const double damping = common_damping(model);
+  const std::vector<double> omega = frequency_bounds(model);
   const double fastest = omega.empty() ? 0.0 : *std::ranges::max_element(omega);
   std::map<int, double> limits;  // by octave below the fastest
   std::vector<double> steps;

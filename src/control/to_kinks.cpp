@@ -35,10 +35,10 @@ class SeriesPaths final : public Paths {
 
 }  // namespace
 
-ToKinks::ToKinks(const System<double>& system, std::unique_ptr<Control> inner)
+ToKinks::ToKinks(const Model<double>& model, std::unique_ptr<Control> inner)
     : inner_(std::move(inner)),
-      steps_(inner_->is_given() ? StepsToKinks() : StepsToKinks(system)),
-      fixed_(system.fixed()) {}
+      steps_(inner_->is_given() ? StepsToKinks() : StepsToKinks(model)),
+      fixed_(model.fixed()) {}
 
 ToKinks::ToKinks(const ToKinks& other)
     : Control(other),

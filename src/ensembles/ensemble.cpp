@@ -56,7 +56,7 @@ Ensemble::Ensemble(const System<double>& system, int degree, const std::vector<S
   if (degree < 1) throw std::invalid_argument("Ensemble: degree must be >= 1, got " + std::to_string(degree));
   require_positive("Ensemble: max_step", max_step, true);
   for (const Elements<double>& elements : system.elements())
-    if (elements.law.kink != nullptr && elements.law.participants == 1 && elements.count() > 0)
+    if (elements.law.kink != nullptr && !elements.law.has_point_kinks() && elements.count() > 0)
       throw std::invalid_argument("Ensemble: the force of " + elements.law.name +
                                   " has a kink, at which the steps of an ensemble do not end; run each "
                                   "trajectory by itself (Lockstep)");

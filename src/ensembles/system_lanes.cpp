@@ -64,15 +64,15 @@ std::vector<Place> keep_positions(Program& program, int components, int dimensio
 
 }  // namespace
 
-SystemLanes::SystemLanes(const System<double>& system)
-    : particles(system.particles()),
-      dimension(system.dimension()),
+SystemLanes::SystemLanes(const Model<double>& model)
+    : particles(model.particles()),
+      dimension(model.dimension()),
       components(particles * dimension),
-      fixed(system.fixed()),
-      program(system_tape(system)) {
-  for (const Elements<double>& of_a_law : system.elements()) elements += of_a_law.count();
+      fixed(model.fixed()),
+      program(system_tape(model)) {
+  for (const auto& law : model.laws()) elements += law->count();
   for (int i = 0; i < particles; ++i)
-    inverse_mass.insert(inverse_mass.end(), dimension, system.fixed()[i] ? 0.0 : 1.0 / system.mass()[i]);
+    inverse_mass.insert(inverse_mass.end(), dimension, model.inverse_mass(i));
   series = keep_positions(program, components, dimension);
   for (const auto& loaded : program.inputs)
     reads_velocity = reads_velocity || loaded.input.kind == Input::Kind::velocity;

@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "ensembles/ensemble_lanes.hpp"
-#include "jetlag/model/system.hpp"
+#include "jetlag/model/model.hpp"
 #include "jetlag/tape/program.hpp"
 
 namespace jetlag {
 
 struct SystemLanes {
-  explicit SystemLanes(const System<double>& system);
+  explicit SystemLanes(const Model<double>& model);
 
   int particles, dimension, components;
   std::size_t elements = 0;

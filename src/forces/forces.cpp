@@ -2,7 +2,18 @@
 // The laws of the register are recorded here, so that no user has to compile their recording.
 #include "jetlag/forces/forces.hpp"
 
+#include <algorithm>
+
 namespace jetlag {
+
+bool reads(const RecordedLaw& law, Input::Kind kind) {
+  return std::ranges::any_of(law.force.nodes, [kind](const Node& node) {
+    return node.kind == Node::Kind::input &&
+           (node.input.kind == kind ||
+            (kind == Input::Kind::position && node.input.kind == Input::Kind::separation));
+  });
+}
+
 template RecordedLaw record_law<Spring>(int);
 template RecordedLaw record_law<UniformField>(int);
 template RecordedLaw record_law<Drag>(int);

@@ -5,12 +5,6 @@
 
 namespace jetlag {
 
-bool reads(const RecordedLaw& law, Input::Kind kind) {
-  return std::ranges::any_of(law.force.nodes, [kind](const Node& node) {
-    return node.kind == Node::Kind::input && node.input.kind == kind;
-  });
-}
-
 bool forces_read(const System<double>& system, Input::Kind kind) {
   return std::ranges::any_of(system.elements(),
                              [kind](const auto& elements) { return reads(elements.law, kind); });

@@ -6,56 +6,38 @@
 
 namespace jetlag {
 
-namespace {
-
-/// The wanted elements of a group, as a group of their own.
-Elements<double> part_of(const Elements<double>& group,
-                         const std::function<bool(std::span<const int>)>& wanted) {
-  Elements<double> part{group.law, {}, {}};
-  const std::size_t p = group.law.participants, width = group.law.parameters.size();
-  for (std::size_t e = 0; e < group.count(); ++e) {
-    const std::span<const int> members(&group.particles[e * p], p);
-    if (!wanted(members)) continue;
-    part.particles.insert(part.particles.end(), members.begin(), members.end());
-    part.parameters.insert(part.parameters.end(), group.parameters.begin() + e * width,
-                           group.parameters.begin() + (e + 1) * width);
-  }
-  return part;
-}
-
-}  // namespace
-
-ElementJacobian::ElementJacobian(const System<double>& system,
+ElementJacobian::ElementJacobian(const Model<double>& model,
                                  const std::function<bool(std::span<const int>)>& wanted,
                                  const std::function<bool(int)>& column)
-    : particles_(system.particles()),
-      dimension_(system.dimension()),
-      stride_(padded(system.dimension())),
+    : particles_(model.particles()),
+      dimension_(model.dimension()),
+      stride_(padded(model.dimension())),
       touched_(particles_, false),
-      fixed_(system.fixed()),
+      fixed_(model.fixed()),
       neighbours_(particles_),
       rows_(particles_) {
-  for (const auto& group : system.elements()) {
-    const Elements<double> part = part_of(group, wanted);
-    if (part.count() == 0) continue;
-    laws_.emplace_back(system, part, part.law.force, kernels<double>());
+  for (const auto& law : model.laws()) {
+    std::vector<int> chosen;
+    for (const int e : law->all()) {
+      const auto members = law->particles_of(e);
+      if (!wanted(members)) continue;
+      chosen.push_back(e);
+      for (const int i : members) {
+        touched_[i] = true;
+        for (const int j : members)
+          if (j != i && !fixed_[i] && !fixed_[j]) neighbours_[i].push_back(j);
+      }
+    }
+    if (chosen.empty()) continue;
+    laws_.push_back(law->blocks(law->elements().law.force, kernels<double>(), chosen));
     laws_.back().reserve(2);
     reads_velocity_ = reads_velocity_ || laws_.back().reads_velocity();
-    const std::size_t p = part.law.participants;
-    for (std::size_t e = 0; e < part.count(); ++e)
-      for (std::size_t a = 0; a < p; ++a) {
-        const int i = part.particles[e * p + a];
-        touched_[i] = true;
-        for (std::size_t b = 0; b < p; ++b)
-          if (const int j = part.particles[e * p + b]; j != i && !system.fixed()[i] && !system.fixed()[j])
-            neighbours_[i].push_back(j);
-      }
   }
   for (int i = 0; i < particles_; ++i) {
     auto& neighbours = neighbours_[i];
     std::ranges::sort(neighbours);
     neighbours.erase(std::ranges::unique(neighbours).begin(), neighbours.end());
-    if (!touched_[i] || system.fixed()[i] || !column(i)) continue;
+    if (!touched_[i] || fixed_[i] || !column(i)) continue;
     rows_[i] = {i};
     rows_[i].insert(rows_[i].end(), neighbours.begin(), neighbours.end());
   }

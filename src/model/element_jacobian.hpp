@@ -11,7 +11,7 @@
 #include <functional>
 #include <vector>
 
-#include "jetlag/model/element_blocks.hpp"
+#include "jetlag/model/model.hpp"
 
 namespace jetlag {
 
@@ -26,7 +26,7 @@ class ElementJacobian {
   /// wanted(particles of an element): whether it is one of them. column(particle): whether `derivatives` are wanted by
   /// its position and velocity; of all that move where it is left out.
   ElementJacobian(
-      const System<double>& system, const std::function<bool(std::span<const int>)>& wanted,
+      const Model<double>& model, const std::function<bool(std::span<const int>)>& wanted,
       const std::function<bool(int)>& column = [](int) { return true; });
 
   /// Whether an element acts on a particle, and whether forces depend on velocities.

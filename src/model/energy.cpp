@@ -2,20 +2,32 @@
 #include "jetlag/model/energy.hpp"
 
 #include <Eigen/Geometry>
+#include <utility>
 
 namespace jetlag {
 
-EnergyMeter::EnergyMeter(const System<double>& system)
-    : dimension_(system.dimension()), mass_(system.mass()) {
-  for (const auto& elements : system.elements())
-    if (elements.count() > 0 && elements.law.energy) {
-      potentials_.emplace_back(system, elements, *elements.law.energy, kernels<double>());
-      potentials_.back().reserve(1);
-    }
+namespace {
+std::optional<ElementBlocks<double>> potential_of(const Model<double>::Law& law) {
+  const std::optional<Tape>& tape = law.elements().law.energy;
+  if (!tape || law.count() == 0) return {};
+  auto blocks = law.blocks(*tape, kernels<double>(), law.all());
+  blocks.reserve(1);
+  return blocks;
+}
+}  // namespace
+
+EnergyMeter::EnergyMeter(const Model<double>& model) : model_(model) {
+  for (const auto& law : model.laws()) potentials_.push_back(potential_of(*law));
+}
+
+void EnergyMeter::move_to(const Model<double>& model) {
+  const Model<double> before = std::exchange(model_, model);
+  for (std::size_t l = 0; l < potentials_.size(); ++l)
+    if (before.laws()[l] != model.laws()[l]) potentials_[l] = potential_of(model.law(l));
 }
 
 Energy EnergyMeter::operator()(const State<double>& state) {
-  const int n = static_cast<int>(mass_.size()), d = dimension_;
+  const int n = model_.particles(), d = model_.dimension();
   require_shape(state, n, d);
   const int stride = padded(d);
   position_.resize(static_cast<std::size_t>(n) * stride);
@@ -26,10 +38,11 @@ Energy EnergyMeter::operator()(const State<double>& state) {
       position_[i * stride + c] = state.position(i, c);
       velocity_[i * stride + c] = state.velocity(i, c);
     }
-    energy.kinetic += 0.5 * mass_[i] * state.velocity.row(i).squaredNorm();
+    energy.kinetic += 0.5 * model_.mass()[i] * state.velocity.row(i).squaredNorm();
   }
   const MotionRows<double> motion{position_.data(), velocity_.data(), 0, state.time, 1.0};
-  for (auto& blocks : potentials_) energy.potential += blocks.sum(motion);
+  for (auto& blocks : potentials_)
+    if (blocks) energy.potential += blocks->sum(motion);
   return energy;
 }
 

@@ -8,88 +8,87 @@
 
 namespace jetlag {
 
-Kinks::Kinks(const System<double>& system) : dimension_(system.dimension()), fixed_(system.fixed()) {
-  const auto is_fixed = [&](int i) { return static_cast<bool>(fixed_[i]); };
-  std::vector<std::vector<Element>> of(system.particles());
-  for (const Elements<double>& elements : system.elements()) {
-    const int participants = elements.law.participants;
-    if (elements.law.kink == nullptr || elements.count() == 0 ||
-        std::ranges::all_of(elements.particles, is_fixed))
-      continue;
-    for (std::size_t m = 0; m < elements.particles.size(); ++m)
-      if (!is_fixed(elements.particles[m]))
-        of[elements.particles[m]].push_back(
-            {static_cast<int>(laws_.size()), static_cast<int>(m / participants)});
-    laws_.push_back({elements.law.kink, participants, elements.particles, elements.parameters,
-                     elements.law.parameters.size(),
-                     participants == 2 && elements.law.kink_components == dimension_});
-  }
+Kinks::Kinks(const Model<double>& model) : dimension_(model.dimension()), fixed_(model.fixed()) {
+  for (const auto& law : model.laws())
+    if (law->elements().law.kink != nullptr &&
+        std::ranges::any_of(law->elements().particles, [&](int i) { return !fixed_[i]; }))
+      laws_.push_back(law);
   if (laws_.empty()) return;
-  first_.push_back(0);
-  for (const auto& list : of) {
-    elements_.insert(elements_.end(), list.begin(), list.end());
-    first_.push_back(static_cast<int>(elements_.size()));
-  }
-  place_.assign(system.particles(), -1);
+  place_.assign(model.particles(), -1);
   forget();
 }
 
 void Kinks::forget() { tracks_.assign(place_.size(), {{}, {}, 0, -1, 0, 0}); }
 
+Eigen::Vector3d Kinks::kink(const Element& e, const double* x) const {
+  return e.law().kink(x, e.of->elements().parameters.data() + e.number * e.law().parameters.size());
+}
+
 Eigen::Vector3d Kinks::kink(const Element& e, double s, const Paths& now) const {
-  double x[9];
+  double x[3 * most_participants];
   double* next = x;
   for (int i : particles_of(e)) {
     now.at(i, s, next);
     next += dimension_;
   }
-  const Law& law = laws_[e.law];
-  return law.kink(x, law.parameters.data() + e.number * law.width);
+  return kink(e, x);
 }
 
 /// The length of an element's kink, of the tracks of its particles.
 double Kinks::length(const Element& e, double now) const {
-  double x[9];
+  double x[3 * most_participants];
   double* next = x;
   for (int i : particles_of(e)) {
     const Track& track = tracks_[i];
     for (int c = 0; c < dimension_; ++c) next[c] = track.x[c] + track.v[c] * (now - track.begin);
     next += dimension_;
   }
-  const Law& law = laws_[e.law];
-  return law.kink(x, law.parameters.data() + e.number * law.width).norm();
+  return kink(e, x).norm();
 }
 
-/// Half of the kink is for the time in which the tracks may use it up, a quarter for the room of each of two particles, or
-/// less where the other one has reached farther in the step that it is in.
-Kinks::Share Kinks::share(const Element& e, int particle, double length) const {
-  const Track& track = tracks_[particle];
-  double speed = 0, room = 0.5 * length;
-  for (int c = 0; c < dimension_; ++c) {
-    double v = track.v[c];
-    for (int i : particles_of(e))
-      if (i != particle) v -= tracks_[i].v[c];
-    speed += v * v;
+/// What the room of each particle of an element takes of its kink: together they take half.
+double Kinks::part(const Element& e, double length) const { return 0.5 * length / e.law().participants; }
+
+/// How fast the tracks may use the kink up: by the speeds as the last particle sees them, or if there may be something
+/// outside that they all approach, by their own.
+double Kinks::speed(const Element& e) const {
+  const auto particles = particles_of(e);
+  const bool outside = e.law().is_external();
+  double sum = 0;
+  for (std::size_t p = 0; p + (outside ? 0 : 1) < particles.size(); ++p) {
+    double square = 0;
+    for (int c = 0; c < dimension_; ++c) {
+      const double v = tracks_[particles[p]].v[c] - (outside ? 0.0 : tracks_[particles.back()].v[c]);
+      square += v * v;
+    }
+    sum += std::sqrt(square);
   }
+  return sum;
+}
+
+/// Half of the kink is for the time in which the tracks may use it up, the other half for the rooms of its particles in
+/// equal parts, or less for this one where another has reached farther in the step that it is in.
+Kinks::Share Kinks::share(const Element& e, int particle, double length) const {
+  double room = 0.5 * length;
   for (int i : particles_of(e))
-    if (i != particle && !fixed_[i]) room -= std::max(0.25 * length, tracks_[i].reached);
-  return {room, 0.5 * length / std::sqrt(speed)};
+    if (i != particle && !fixed_[i]) room -= std::max(part(e, length), tracks_[i].reached);
+  return {room, 0.5 * length / speed(e)};
 }
 
 /// Room for a particle about its new track.
 void Kinks::look(int particle, double now) {
   Track& own = tracks_[particle];
-  for (const Element& e : elements_of(particle)) {
+  for_each_element(particle, [&](const Element& e) {
     const double length = this->length(e, now);
     const Share share = this->share(e, particle, length);
     own.room = std::min(own.room, share.room);
     own.until = std::min(own.until, now + share.time);
     for (int i : particles_of(e)) {
       if (i == particle) continue;
-      tracks_[i].room = std::min(tracks_[i].room, 0.25 * length);
+      tracks_[i].room = std::min(tracks_[i].room, part(e, length));
       tracks_[i].until = std::min(tracks_[i].until, now + share.time);
     }
-  }
+  });
 }
 
 /// The first time s [s] within h at which an element is farther than `depth` beyond a kink, just after it; h if there is
@@ -102,7 +101,7 @@ Kinks::Crossing Kinks::first_beyond(const Element& e, double h, double depth, co
   constexpr int parts = 8;
   Eigen::Vector3d side = kink(e, 0.0, now);
   const double length = side.norm();
-  const bool undecided = !(length > depth), is_point = laws_[e.law].is_point,
+  const bool undecided = !(length > depth), is_point = e.law().has_point_kinks(),
              near_point = is_point && length < 1000 * depth;
   const double far = undecided ? 4 * depth : 2 * length;
   const auto beyond = [&](const Eigen::Vector3d& way) {
@@ -137,9 +136,10 @@ std::vector<Kinks::Step> Kinks::shorten(std::span<Step> steps, double depth, con
     now.velocity(i, track.v);
   }
   for (const Step& step : steps)  // fixed particles have no steps of their own
-    for (const Element& e : elements_of(step.particle))
+    for_each_element(step.particle, [&](const Element& e) {
       for (int i : particles_of(e))
         if (fixed_[i]) now.at(i, 0.0, tracks_[i].x);
+    });
   for (const Step& step : steps) look(step.particle, now.now());
 
   std::vector<int> doubtful;
@@ -148,9 +148,9 @@ std::vector<Kinks::Step> Kinks::shorten(std::span<Step> steps, double depth, con
   for (const Step& step : steps) {
     const Track& track = tracks_[step.particle];
     if (step.curve < track.room && now.now() + step.h <= track.until) continue;
-    for (const Element& e : elements_of(step.particle)) {
+    for_each_element(step.particle, [&](const Element& e) {
       const Share share = this->share(e, step.particle, length(e, now.now()));
-      if (step.curve < share.room && step.h <= share.time) continue;
+      if (step.curve < share.room && step.h <= share.time) return;
       const Crossing crossing = first_beyond(e, step.h, depth, now);
       for (int i : particles_of(e)) {
         if (fixed_[i]) continue;
@@ -162,7 +162,7 @@ std::vector<Kinks::Step> Kinks::shorten(std::span<Step> steps, double depth, con
         else
           others.push_back({i, crossing.end, 0.0});
       }
-    }
+    });
   }
   for (std::size_t k = 0; k < steps.size(); ++k) {
     tracks_[steps[k].particle].reached = steps[k].curve;

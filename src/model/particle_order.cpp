@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "jetlag/model/particle_order.hpp"
 
+#include <algorithm>
 #include <cstdlib>
+#include <numeric>
+#include <utility>
 
-namespace jetlag::detail {
+namespace jetlag {
 
 namespace {
 /// How far apart the ends of an edge are, on average.
@@ -12,7 +15,6 @@ double mean_distance(const std::vector<int>& edges, const std::vector<int>& rank
   for (std::size_t e = 0; e < edges.size(); e += 2) sum += std::abs(rank[edges[e]] - rank[edges[e + 1]]);
   return sum / std::max<double>(1, edges.size() / 2);
 }
-}  // namespace
 
 std::vector<int> cuthill_mckee(int vertices, const std::vector<int>& edges) {
   std::vector<int> first(vertices + 1, 0), neighbour(edges.size());
@@ -47,4 +49,13 @@ std::vector<int> cuthill_mckee(int vertices, const std::vector<int>& edges) {
   return mean_distance(edges, rank) < 0.5 * mean_distance(edges, given) ? rank : given;
 }
 
-}  // namespace jetlag::detail
+}  // namespace
+
+std::vector<int> particle_order(int particles, const std::vector<int>& pairs) {
+  constexpr std::size_t small = 1000, dense = 64;  // pairs; pairs for each particle
+  const std::size_t count = pairs.size() / 2;
+  if (count < small || count > dense * particles) return {};
+  return cuthill_mckee(particles, pairs);
+}
+
+}  // namespace jetlag

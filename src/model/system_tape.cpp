@@ -27,7 +27,7 @@ std::optional<Recorded> scaled_power(Recording& recording, const std::vector<Nod
   return recording.operation(rule_id<Power>, {recording.node_of(exponent), scaled.node()}, false);
 }
 
-/// The force on the first participant of one element, recorded.
+/// The forces that the law of one element gives, recorded: component by component.
 std::vector<Recorded> record_element(Recording& recording, const RecordedLaw& law, const int* particles,
                                      const double* parameters, const std::vector<double>& mass) {
   const int width = static_cast<int>(law.parameters.size());
@@ -38,7 +38,7 @@ std::vector<Recorded> record_element(Recording& recording, const RecordedLaw& la
     };
     switch (of.kind) {
       case Input::Kind::time: return recording.input(of);
-      case Input::Kind::separation: return position(of.participant) - position(1 - of.participant);
+      case Input::Kind::separation: return position(of.participant) - position(of.minus);
       default: return recording.input({of.kind, particles[of.participant], of.component});
     }
   };
@@ -91,24 +91,28 @@ Recorded sum(const std::vector<Recorded>& terms) {
 
 }  // namespace
 
-Tape system_tape(const System<double>& system) {
-  const int dimension = system.dimension();
+Tape system_tape(const Model<double>& model) {
+  const int dimension = model.dimension();
   Recording recording;
   struct Terms {
     std::vector<Recorded> plus, minus;
   };
-  std::vector<Terms> terms(static_cast<std::size_t>(system.particles()) * dimension);
-  for (const Elements<double>& elements : system.elements()) {
-    const int p = elements.law.participants;
-    const std::size_t width = elements.law.parameters.size();
-    for (std::size_t e = 0; e < elements.count(); ++e) {
-      const int* particles = elements.particles.data() + e * p;
-      const auto force = record_element(recording, elements.law, particles,
-                                        elements.parameters.data() + e * width, system.mass());
-      for (int i = 0; i < p; ++i)
+  std::vector<Terms> terms(static_cast<std::size_t>(model.particles()) * dimension);
+  for (const auto& of_law : model.laws()) {
+    const auto& [law, members, parameters] = of_law->elements();
+    for (const int e : of_law->all()) {
+      const auto particles = of_law->particles_of(e);
+      const auto force = record_element(recording, law, particles.data(),
+                                        parameters.data() + e * law.parameters.size(), model.mass());
+      const auto on = [&](int participant, int c) -> Terms& {
+        return terms[static_cast<std::size_t>(particles[participant]) * dimension + c];
+      };
+      const int given = law.given;
+      for (int i = 0; i < given; ++i)
         for (int c = 0; c < dimension; ++c) {
-          Terms& of = terms[static_cast<std::size_t>(particles[i]) * dimension + c];
-          if (!system.fixed()[particles[i]]) (i == 0 ? of.plus : of.minus).push_back(force[c]);
+          const Recorded& f = force[i * dimension + c];
+          if (!model.is_fixed(particles[i])) on(i, c).plus.push_back(f);
+          if (!law.is_external() && !model.is_fixed(particles[given])) on(given, c).minus.push_back(f);
         }
     }
   }

@@ -2,6 +2,5 @@
 #include "jetlag/motion/expansion.hpp"
 
 namespace jetlag {
-template class System<double>;
 template class Expansion<double>;
 }  // namespace jetlag

@@ -44,7 +44,8 @@ struct Terms {
 void Observable::require_fit(const std::string& who, int particles, int dimension) const {
   for (const Node& node : tape_.nodes) {
     if (node.kind != Node::Kind::input || node.input.kind == Input::Kind::time) continue;
-    const auto [kind, particle, component] = node.input;
+    const Input::Kind kind = node.input.kind;
+    const int particle = node.input.participant, component = node.input.component;
     if (particle < 0 || particle >= particles || component < 0 || component >= dimension)
       throw std::invalid_argument(who + " reads " + (kind == Input::Kind::position ? "x(" : "v(") +
                                   std::to_string(particle) + ", " + std::to_string(component) +

@@ -69,34 +69,39 @@ JETLAG_WIDE void shift_narrow(int order, const double* s, double* c, std::size_t
 
 }  // namespace
 
-PartialExpansion::PartialExpansion(std::shared_ptr<const Neighbourhoods> all, int order)
-    : all_(std::move(all)), order_(std::max(order, 2)), stride_(padded(all_->dimension())) {
-  for (const auto& law : all_->laws()) {
-    laws_.push_back(ElementBlocks<double>::none_of(law, order_ - 1));
-    reads_velocity_ = reads_velocity_ || law.reads_velocity();
-  }
+PartialExpansion::PartialExpansion(const Model<double>& model, int order)
+    : model_(model), order_(std::max(order, 2)), stride_(padded(model.dimension())) {
+  for (const auto& law : model.laws())
+    laws_.push_back(ElementBlocks<double>::none_of(law->forces(), order_ - 1));
+  move_to(model);
+}
+
+void PartialExpansion::move_to(const Model<double>& model) {
+  model_ = model;
+  reads_velocity_ = false;
+  for (std::size_t law = 0; law < laws_.size(); ++law)
+    if (model.law(law).count() > 0) reads_velocity_ = reads_velocity_ || laws_[law].reads_velocity();
 }
 
 /// The elements of a law that touch an active particle, ascending. Known particles are given their places.
 std::vector<int> PartialExpansion::touched_elements(std::size_t law, std::vector<int>& places) {
-  const auto particles = all_->particles_of(law);
-  const int active = static_cast<int>(active_.size()), participants = laws_[law].participants();
+  const auto& elements = model_.law(law);
+  const int active = static_cast<int>(active_.size());
   std::vector<int> touched;
   for (int a : active_)
-    for (int e : all_->elements_of(law, a)) {
-      const int* members = &particles[e * participants];
-      if (participants == 2) {
-        const int other = members[0] == a ? members[1] : members[0];
+    for (int e : elements.of(a)) {
+      const auto members = elements.particles_of(e);
+      const int first =
+          *std::ranges::find_if(members, [&](int i) { return 0 <= places[i] && places[i] < active; });
+      if (first != a) continue;  // another participant is active too, and brings it
+      for (const int other : members)
         if (places[other] < 0) {
           places[other] = active + 1 + static_cast<int>(known_.size());
           known_.push_back(other);
-        } else if (members[1] == a && places[other] < active) {
-          continue;  // the first participant is active too, and brings it
         }
-      }
       touched.push_back(e);
     }
-  sort(touched, particles.size() / participants);
+  sort(touched, elements.count());
   return touched;
 }
 
@@ -122,8 +127,9 @@ void PartialExpansion::choose(std::span<const int> active, std::vector<int>& pla
   const int waste = static_cast<int>(active_.size());
   for (std::size_t law = 0; law < laws_.size(); ++law)
     laws_[law].take(
-        all_->laws()[law], all_->particles_of(law), touched_elements(law, places), all_->table(),
-        [&](int i) { return places[i]; }, [&](int i) { return std::min(places[i], waste); });
+        model_.law(law).forces(), model_.law(law).elements().particles, touched_elements(law, places),
+        kernels<double>(), [&](int i) { return places[i]; },
+        [&](int i) { return std::min(places[i], waste); });
   for (const auto* set : {&active_, &known_})
     for (int i : *set) places[i] = -1;
 
@@ -132,7 +138,7 @@ void PartialExpansion::choose(std::span<const int> active, std::vector<int>& pla
   if (x_.size() < size) x_.resize(size);
   if (reads_velocity_ && v_.size() < size) v_.resize(size);
   push_.clear();
-  for (int i : active_) push_.insert(push_.end(), stride_, all_->inverse_mass(i));
+  for (int i : active_) push_.insert(push_.end(), stride_, model_.inverse_mass(i));
 }
 
 void PartialExpansion::shift_known(int order, const std::vector<double>& s) {

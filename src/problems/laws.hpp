@@ -17,7 +17,7 @@ struct Tether {
   static constexpr const char* name = "tether";
   static constexpr int participants = 1;
   static constexpr std::array parameters{"stiffness"};
-  static constexpr int stiffness_parameter = 0;
+  static double stiffness(double k) { return k; }
 
   template <class T, int D>
   static Vector<T, D> force(const Participants<T, D, 1>& p, const T& stiffness) {
@@ -170,7 +170,7 @@ struct LinearSpring {
   static constexpr const char* name = "linear spring";
   static constexpr int participants = 2;
   static constexpr std::array parameters{"stiffness"};
-  static constexpr int stiffness_parameter = 0;
+  static double stiffness(double k) { return k; }
 
   template <class T, int D>
   static Vector<T, D> force(const Participants<T, D, 2>& p, const T& stiffness) {
@@ -239,7 +239,7 @@ struct HardeningSpring {
   static constexpr const char* name = "hardening spring";
   static constexpr int participants = 2;
   static constexpr std::array parameters{"stiffness"};
-  static constexpr int stiffness_parameter = 0;  // at rest length
+  static double stiffness(double k) { return k; }  // at rest length
 
   template <class T, int D>
   static Vector<T, D> force(const Participants<T, D, 2>& p, const T& stiffness) {

@@ -39,9 +39,10 @@ int check(const SceneArguments& arguments) {
   for (const auto& group : system.elements())
     std::printf("  force       %-14s %zu element%s\n", group.law.name.c_str(), group.count(),
                 group.count() == 1 ? "" : "s");
+  const std::string unbounded = unbounded_force(system);
   if (const double omega = frequency_bound(system); omega > 0)
-    std::printf("  stiffness   frequencies up to %.4g rad/s; leapfrog is stable below a step of %.4g s\n",
-                omega, 2 / omega);
+    std::printf("  stiffness   frequencies up to %.4g rad/s; leapfrog is stable below a step of %.4g s%s\n",
+                omega, 2 / omega, unbounded.empty() ? "" : (", " + unbounded + " not counted").c_str());
   const int orders = std::max(1, static_cast<int>(scene.mean_orders + 0.5));
   Expansion<double> series(system, orders + 1);
   series.start(scene.initial);

@@ -113,6 +113,7 @@ std::optional<std::pair<double, double>> read_courant(const Value& control, cons
   if (!courant) return std::nullopt;
   const double safety = courant->number(fraction), omega = frequency_bound(system);
   if (omega == 0) courant->refuse("left out: no force of this scene has a stiffness that limits the step");
+  checked(*courant, [&] { require_bounded(system); });
   return std::pair(safety, omega);
 }
 

@@ -33,7 +33,7 @@ Asynchronous::Asynchronous(const System<double>& system, TruncationLaw law, cons
 Asynchronous::~Asynchronous() = default;
 
 void Asynchronous::begin_clocks() {
-  const int particles = motion_->graph().particles();
+  const int particles = motion_->model().particles();
   queue_ = EventQueue(particles);
   for (int i : motion_->moving()) queue_.set(i, 0);
   step_.assign(particles, Ticks::step(0));
@@ -60,7 +60,7 @@ void Asynchronous::expected_positions(Ticks::Count now) {
   expected_.clear();
   if (std::isinf(notify_)) return;
   for (int i : due_)
-    for (int n : motion_->graph().neighbours(i)) {
+    for (int n : motion_->model().neighbours(i)) {
       const Ticks::Count end = motion_->begin_of(n) + step_[n];
       const std::size_t size = expected_.size();
       expected_.resize(size + 3, std::numeric_limits<double>::quiet_NaN());
@@ -78,11 +78,11 @@ Ticks::Count Asynchronous::next_after(Ticks::Count now) const {
 
 void Asynchronous::notify_neighbours(Ticks::Count now) {
   if (std::isinf(notify_)) return;
-  const int dimension = motion_->graph().dimension();
+  const int dimension = motion_->model().dimension();
   const double most = notify_ * motion_->options().tolerance;
   const double* expected = expected_.data();
   for (int i : due_)
-    for (int n : motion_->graph().neighbours(i)) {
+    for (int n : motion_->model().neighbours(i)) {
       const double* before = expected;
       expected += 3;
       const Ticks::Count end = motion_->begin_of(n) + step_[n];
@@ -127,7 +127,7 @@ bool Asynchronous::choose_steps(Ticks::Count now, Report& report) {
   for (bool changed = stuck.empty(); changed;) {
     changed = false;
     for (int i : due_)
-      for (int n : motion_->graph().neighbours(i)) {
+      for (int n : motion_->model().neighbours(i)) {
         const Ticks::Count end = motion_->begin_of(n) + step_[n],
                            most =
                                std::min(times(grading_, step_[n]), end - now + times(overlap_, natural_[n]));

@@ -69,7 +69,7 @@ Avi::Avi(const System<double>& system, const ElementSteps& steps) : Impulses(sys
       groups.resize(steps.size());
       groups[g].push_back(static_cast<int>(e));
     }
-  for (const auto& [step, groups] : members) add_clock(system, step, groups, moving_ends(system, groups));
+  for (const auto& [step, groups] : members) add_clock(step, groups, moving_ends(system, groups));
 }
 
 }  // namespace jetlag

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 
 #include "jetlag/base/text.hpp"
@@ -18,13 +17,13 @@ namespace {
 /// omega_K^2 of element e, 0 without a stiffness.
 double squared_frequency(const System<double>& system, const Elements<double>& group, std::size_t e) {
   const RecordedLaw& law = group.law;
-  if (law.stiffness_parameter < 0) return 0;
+  if (law.stiffness == nullptr) return 0;
   double inverse_mass = 0;
   for (int i = 0; i < law.participants; ++i) {
     const int particle = group.particles[e * law.participants + i];
     if (!system.fixed()[particle]) inverse_mass += 1.0 / system.mass()[particle];
   }
-  return inverse_mass * group.parameters[e * law.parameters.size() + law.stiffness_parameter];
+  return inverse_mass * law.stiffness(&group.parameters[e * law.parameters.size()]);
 }
 
 double shortest(const ElementSteps& steps) {
@@ -64,7 +63,7 @@ ElementSteps courant_steps(const System<double>& system, double fraction) {
   double longest = 0;
   for (std::size_t g = 0; g < steps.size(); ++g) {
     const auto& group = system.elements()[g];
-    if (group.count() > 0 && group.law.stiffness_parameter < 0 && !group.law.force.is_static())
+    if (group.count() > 0 && group.law.stiffness == nullptr && !group.law.force.is_static())
       throw std::invalid_argument(
           "courant: no stiffness is known of " + group.law.name +
           ", so that nothing bounds its step; leave courant out and give a step for each "
@@ -90,7 +89,7 @@ ElementSteps courant_steps(const System<double>& system, double fraction) {
 }
 
 ElementSteps without_resonance(const System<double>& system, ElementSteps steps) {
-  const NestedSteps nested(system, shortest(steps), 0.8 * std::numbers::pi);
+  const NestedSteps nested(system, shortest(steps));
   for (auto& group : steps)
     for (double& step : group) step = nested(step);
   return steps;

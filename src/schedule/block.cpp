@@ -57,7 +57,7 @@ BlockSteps::~BlockSteps() = default;
 
 void BlockSteps::begin_clocks() {
   const auto& moving = motion_->moving();
-  level_.assign(motion_->graph().particles(), 0);
+  level_.assign(motion_->model().particles(), 0);
   place_.assign(level_.size(), 0);
   of_level_.assign(Ticks::finest + 1, {});
   groups_.clear();
@@ -153,10 +153,10 @@ bool BlockSteps::choose_levels(const std::vector<int>& updated, std::int64_t now
 /// Raises levels until no neighbour is more than `grading` finer: the same levels in whatever order particles come.
 void BlockSteps::limit_differences(const std::vector<int>& updated) {
   raised_.clear();
-  const Neighbourhoods& graph = motion_->graph();
-  const auto raise = [&graph, this, level = level_.data(), grading = grading_](int i) {
+  const Model<double>& model = motion_->model();
+  const auto raise = [&model, this, level = level_.data(), grading = grading_](int i) {
     int least = level[i];
-    for (int n : graph.neighbours(i)) least = std::max(least, level[n] - grading);
+    for (int n : model.neighbours(i)) least = std::max(least, level[n] - grading);
     if (least == level[i]) return;
     level[i] = least;
     raised_.push_back(i);
@@ -164,7 +164,7 @@ void BlockSteps::limit_differences(const std::vector<int>& updated) {
   for (int i : updated) raise(i);
   // Whoever was raised may ask the same of its neighbours, as far as they are updated now.
   for (std::size_t r = 0; r < raised_.size(); ++r)
-    for (int n : graph.neighbours(raised_[r]))
+    for (int n : model.neighbours(raised_[r]))
       if (motion_->begin_of(n) == now_) raise(n);
 }
 
@@ -174,7 +174,7 @@ void BlockSteps::wake_neighbours(std::int64_t now) {
   woken_.clear();
   for (std::size_t k = 0; k < motion_->former().size(); ++k) {
     const int i = motion_->former()[k];
-    for (int n : motion_->graph().neighbours(i)) {
+    for (int n : motion_->model().neighbours(i)) {
       if (motion_->begin_of(n) == now) continue;
       const auto due = [&](int level) { return (now / Ticks::step(level) + 1) * Ticks::step(level); };
       int level = level_[n];

@@ -9,7 +9,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "jetlag/model/element_blocks.hpp"
 #include "jetlag/model/finite.hpp"
 
 namespace jetlag {
@@ -29,18 +28,6 @@ Report not_finite(const char* what, int particle, double time) {
 
 bool in_range(double x) { return std::abs(x) < largest_number; }
 
-/// Some elements of a group, as a group of their own.
-Elements<double> part_of(const Elements<double>& group, const std::vector<int>& members) {
-  Elements<double> part{group.law, {}, {}};
-  const std::size_t p = group.law.participants, width = group.law.parameters.size();
-  for (const std::size_t e : members) {
-    part.particles.insert(part.particles.end(), &group.particles[e * p], &group.particles[e * p] + p);
-    part.parameters.insert(part.parameters.end(), group.parameters.begin() + e * width,
-                           group.parameters.begin() + (e + 1) * width);
-  }
-  return part;
-}
-
 }  // namespace
 
 struct Impulses::Clock {
@@ -55,27 +42,26 @@ struct Impulses::Clock {
   std::vector<double> set_aside{};  // the positions of others at their own times: padded rows
 };
 
-Impulses::Impulses(const System<double>& system, std::string name, std::string owner)
+Impulses::Impulses(const Model<double>& model, std::string name, std::string owner)
     : EventDriven(name + " has one for each " + owner, "take longer steps"),
+      model_(model),
       name_(std::move(name)),
-      dimension_(system.dimension()),
-      stride_(padded(system.dimension())) {
-  for (int i = 0; i < system.particles(); ++i)
-    push_.push_back(system.fixed()[i] ? 0.0 : 1.0 / system.mass()[i]);
-}
+      dimension_(model.dimension()),
+      stride_(padded(model.dimension())) {}
 Impulses::~Impulses() = default;
 
-void Impulses::add_clock(const System<double>& system, double step,
-                         const std::vector<std::vector<int>>& elements, std::vector<int> pushed) {
+void Impulses::add_clock(double step, const std::vector<std::vector<int>>& elements,
+                         std::vector<int> pushed) {
   Clock clock{.step = step, .laws = {}, .particles = std::move(pushed)};
   for (std::size_t g = 0; g < elements.size(); ++g) {
     if (elements[g].empty()) continue;
-    const Elements<double> part = part_of(system.elements()[g], elements[g]);
-    clock.laws.emplace_back(system, part, part.law.force, kernels<double>());
+    const auto& law = model_.law(g);
+    clock.laws.push_back(law.blocks(law.elements().law.force, kernels<double>(), elements[g]));
     clock.laws.back().reserve(1);
-    clock.elements += part.count();
-    for (const int i : part.particles)
-      if (!std::ranges::binary_search(clock.particles, i)) clock.others.push_back(i);
+    clock.elements += elements[g].size();
+    for (const int e : elements[g])
+      for (const int i : law.particles_of(e))
+        if (!std::ranges::binary_search(clock.particles, i)) clock.others.push_back(i);
   }
   std::ranges::sort(clock.others);
   const auto repeated = std::ranges::unique(clock.others);
@@ -86,7 +72,7 @@ void Impulses::add_clock(const System<double>& system, double step,
 // ---- the state -------------------------------------------------------------------------------------------
 
 State<double> Impulses::at(double time) const {
-  const auto n = static_cast<Eigen::Index>(push_.size());
+  const auto n = static_cast<Eigen::Index>(model_.particles());
   State<double> state{time, Coordinates<double>(n, dimension_), Coordinates<double>(n, dimension_)};
   for (Eigen::Index i = 0; i < n; ++i)
     for (int c = 0; c < dimension_; ++c) {
@@ -99,7 +85,7 @@ State<double> Impulses::at(double time) const {
     for (std::size_t p = 0; p < clock.particles.size(); ++p) {
       const int i = clock.particles[p];
       for (int c = 0; c < dimension_; ++c)
-        state.velocity(i, c) -= early * push_[i] * clock.force[p * stride_ + c];
+        state.velocity(i, c) -= early * model_.inverse_mass(i) * clock.force[p * stride_ + c];
     }
   }
   return state;
@@ -107,7 +93,7 @@ State<double> Impulses::at(double time) const {
 
 /// Half an impulse of every clock.
 bool Impulses::begin(const State<double>& state, double /*until*/, Report& report) {
-  const std::size_t n = push_.size();
+  const std::size_t n = model_.particles();
   require_shape(state, static_cast<int>(n), dimension_);
   origin_ = last_ = state.time;
   own_time_.assign(n, state.time);
@@ -210,7 +196,7 @@ bool Impulses::push(Clock& clock, double time, double share, Report& report) {
   for (const int i : clock.particles)
     for (int c = 0; c < dimension_; ++c) {
       const std::size_t r = i * stride_ + c;
-      const double v = v_[r] + h * push_[i] * f_[r];
+      const double v = v_[r] + h * model_.inverse_mass(i) * f_[r];
       if (!in_range(v) || !in_range(x_[r] + clock.step * v)) {
         report = not_finite("the force on", i, time);
         return false;
@@ -220,7 +206,7 @@ bool Impulses::push(Clock& clock, double time, double share, Report& report) {
     const int i = clock.particles[p];
     for (int c = 0; c < dimension_; ++c) {
       const std::size_t r = i * stride_ + c;
-      v_[r] += h * push_[i] * f_[r];
+      v_[r] += h * model_.inverse_mass(i) * f_[r];
       clock.force[p * stride_ + c] = f_[r];
       f_[r] = 0.0;
     }

@@ -13,28 +13,28 @@
 
 namespace jetlag {
 
-LocalMotion::LocalMotion(const System<double>& system, const TruncationLaw& law, const ClockOptions& options)
+LocalMotion::LocalMotion(const Model<double>& model, const TruncationLaw& law, const ClockOptions& options)
     : options_(options),
       stops_(law, options.draws, options.seed),
-      dimension_(system.dimension()),
+      dimension_(model.dimension()),
       stride_(padded(dimension_)),
       order_(order_needed(law.max_degree(), options.velocity)),
       size_(static_cast<std::size_t>(order_ + 1) * stride_),
-      graph_(std::make_shared<const Neighbourhoods>(system)),
-      all_(system, std::max(order_, 2), kernels<double>(), Workers(options.threads)),
-      places_(system.particles(), -1),
-      to_kinks_(system) {
+      model_(model),
+      all_(model, std::max(order_, 2), kernels<double>(), Workers(options.threads)),
+      places_(model.particles(), -1),
+      to_kinks_(model) {
   require_positive("tolerance", options_.tolerance);
   require_positive("max_step", options_.max_step, true);
   if (order_ < 2) throw std::invalid_argument("schedule: the degree must be at least 2");
   if (law.weighting() != Weighting::coupled_sum)
     throw std::invalid_argument("schedule: " + law.name() + " is for one clock: pieces are coupled sums");
   if (law.is_fixed()) options_.shared_draw = true;
-  for (int i = 0; i < system.particles(); ++i)
-    if (!system.fixed()[i]) moving_.push_back(i);
-  longest_.assign(system.particles(), options_.max_step);
+  for (int i = 0; i < model.particles(); ++i)
+    if (!model.fixed()[i]) moving_.push_back(i);
+  longest_.assign(model.particles(), options_.max_step);
   if (options_.courant != 0) {
-    const auto stable = courant_steps_of_particles(system, law, options_.velocity, options_.courant);
+    const auto stable = courant_steps_of_particles(model, law, options_.velocity, options_.courant);
     for (std::size_t i = 0; i < stable.size(); ++i) longest_[i] = std::min(longest_[i], stable[i]);
   }
 }

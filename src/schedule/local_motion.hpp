@@ -28,9 +28,9 @@ class LocalMotion {
  public:
   using Count = Ticks::Count;
 
-  LocalMotion(const System<double>& system, const TruncationLaw& law, const ClockOptions& options);
+  LocalMotion(const Model<double>& model, const TruncationLaw& law, const ClockOptions& options);
 
-  const Neighbourhoods& graph() const { return *graph_; }
+  const Model<double>& model() const { return model_; }
   const std::vector<int>& moving() const { return moving_; }
   const ClockOptions& options() const { return options_; }
   /// The highest one of the law.
@@ -42,7 +42,7 @@ class LocalMotion {
   const Ticks& ticks() const { return ticks_; }
 
   /// A place for groups that do not change.
-  PartialExpansion group() const { return PartialExpansion(graph_, order_); }
+  PartialExpansion group() const { return PartialExpansion(model_, order_); }
   std::vector<int>& places() { return places_; }
 
   /// New series for the particles of a group, expanded together about a tick, or for all. On failure nothing changes,
@@ -149,7 +149,7 @@ class LocalMotion {
   Stops stops_;
   int dimension_, stride_, order_;
   std::size_t size_;  // numbers in the series of a particle
-  std::shared_ptr<const Neighbourhoods> graph_;
+  Model<double> model_;
   Expansion<double> all_;
   std::vector<int> moving_, places_;
   std::vector<double> longest_;         // step of each particle [s]

@@ -36,7 +36,7 @@ class Now final : public Paths {
   }
   void at(int particle, double s, double* x) const override {
     if (s == 0 && motion_.begin_of(particle) == now_)
-      std::copy_n(motion_.series(particle), motion_.graph().dimension(), x);
+      std::copy_n(motion_.series(particle), motion_.model().dimension(), x);
     else
       motion_.evaluate(particle, since(particle) + s, x, nullptr);
   }

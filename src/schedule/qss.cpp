@@ -40,6 +40,18 @@ void require_max_step(const System<double>& system, double max_step) {
   }
 }
 
+/// A force is kept for each pair of particles, or for one.
+void require_pairs(const System<double>& system) {
+  for (const auto& group : system.elements())
+    if (group.count() > 0 &&
+        (group.law.participants > 2 || (group.law.participants == 2 && group.law.is_external())))
+      throw std::invalid_argument("qss knows forces on one particle and between two; " + group.law.name +
+                                  (group.law.participants == 2
+                                       ? " gives the forces on both of two by themselves"
+                                       : " acts on " + std::to_string(group.law.participants)) +
+                                  ": leave it out or take another integrator");
+}
+
 /// The polynomial about a point at the distance s.
 template <std::size_t N>
 void shift(std::array<double, N>& c, double s) {
@@ -67,6 +79,7 @@ Qss::Qss(const System<double>& system, const Options& options)
   require_positive("velocity_quantum", options.velocity_quantum);
   if (!(options.max_step > 0))
     throw std::invalid_argument("qss: max_step must be > 0, got " + shown(options.max_step));
+  require_pairs(system);
   require_max_step(system, options.max_step);
   forces_ = std::make_unique<QuantizedForces>(
       system, options.order, [this](int kind, int particle, double time, double* to, std::size_t next) {

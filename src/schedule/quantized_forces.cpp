@@ -7,33 +7,33 @@
 
 namespace jetlag {
 
-QuantizedForces::QuantizedForces(const System<double>& system, int orders, Signal signal)
-    : all_(std::make_shared<Neighbourhoods>(system)),
+QuantizedForces::QuantizedForces(const Model<double>& model, int orders, Signal signal)
+    : model_(model),
       orders_(orders),
-      stride_(padded(system.dimension())),
+      stride_(padded(model.dimension())),
       signal_(std::move(signal)),
-      places_(system.particles(), -1),
-      seen_(system.particles(), false) {
-  for (std::size_t law = 0; law < all_->laws().size(); ++law) {
-    laws_.push_back(ElementBlocks<double>::none_of(all_->laws()[law], orders_));
-    parts_[all_->laws()[law].reads_velocity()].laws.push_back(law);
+      places_(model.particles(), -1),
+      seen_(model.particles(), false) {
+  for (std::size_t law = 0; law < model.laws().size(); ++law) {
+    laws_.push_back(ElementBlocks<double>::none_of(model.law(law).forces(), orders_));
+    if (model.law(law).count() > 0) parts_[laws_[law].reads_velocity()].laws.push_back(law);
   }
   for (Part& part : parts_) add_links(part);
 }
 
 void QuantizedForces::add_links(Part& part) {
-  part.of.resize(all_->particles());
+  part.of.resize(model_.particles());
   if (part.laws.empty()) return;
-  for (int i = 0; i < all_->particles(); ++i) {
+  for (int i = 0; i < model_.particles(); ++i) {
     part.of[i].push_back(static_cast<int>(part.forces.size()));
     part.forces.push_back({-1, i});
   }
   std::map<std::pair<int, int>, bool> known;
   for (const std::size_t law : part.laws) {
     if (laws_[law].participants() != 2) continue;
-    const auto particles = all_->particles_of(law);
-    for (std::size_t e = 0; 2 * e < particles.size(); ++e) {
-      const auto [a, b] = std::minmax(particles[2 * e], particles[2 * e + 1]);
+    for (const int e : model_.law(law).all()) {
+      const auto ends = model_.law(law).particles_of(e);
+      const auto [a, b] = std::minmax(ends[0], ends[1]);
       if (!known.emplace(std::pair(a, b), true).second) continue;
       for (const int i : {a, b}) part.of[i].push_back(static_cast<int>(part.forces.size()));
       part.forces.push_back({a, b});
@@ -66,11 +66,12 @@ void QuantizedForces::run(const Part& part, int particle, double time) {
   const int waste = static_cast<int>(rows_) - 1;
   for (const std::size_t number : part.laws) {
     auto& law = laws_[number];
-    const auto elements = all_->elements_of(number, particle);
+    const auto& all = model_.law(number);
+    const auto elements = all.of(particle);
     if (elements.empty()) continue;
     const bool pair = law.participants() == 2;
     law.take(
-        all_->laws()[number], all_->particles_of(number), elements, all_->table(),
+        all.forces(), all.elements().particles, elements, kernels<double>(),
         [&](int i) { return places_[i]; }, [&](int i) { return pair && i == particle ? waste : places_[i]; });
     for (int k = 0; k < orders_; ++k) {
       if (law.running(k, 1) == 0) continue;
@@ -99,12 +100,12 @@ bool QuantizedForces::renew(int kind, int particle, double time) {
       const bool other_is_first = force.first >= 0 && force.second == particle;
       force.time = time;
       for (int k = 0; k < orders_; ++k)
-        for (int c = 0; c < all_->dimension(); ++c) {
+        for (int c = 0; c < model_.dimension(); ++c) {
           const double on_other = f_[p][k * order + r * stride_ + c];
           force.c[k][c] = other_is_first ? -on_other : on_other;
         }
       const int i = r == 0 ? particle : other_is_first ? force.first : force.second;
-      if (seen_[i] || all_->is_fixed(i)) continue;
+      if (seen_[i] || model_.is_fixed(i)) continue;
       seen_[i] = true;
       pushed_.push_back(i);
     }
@@ -119,7 +120,7 @@ std::array<std::array<double, 3>, 3> QuantizedForces::acceleration(int particle,
     for (const int number : part.of[particle]) {
       const Force& force = part.forces[number];
       const double sign = force.first == particle ? -1.0 : 1.0, s = time - force.time;
-      for (int c = 0; c < all_->dimension(); ++c) {
+      for (int c = 0; c < model_.dimension(); ++c) {
         const double f0 = force.c[0][c], f1 = force.c[1][c], f2 = force.c[2][c];
         a[0][c] += sign * (f0 + s * (f1 + s * f2));
         a[1][c] += sign * (f1 + 2 * s * f2);
@@ -127,7 +128,7 @@ std::array<std::array<double, 3>, 3> QuantizedForces::acceleration(int particle,
       }
     }
   for (auto& order : a)
-    for (double& component : order) component *= all_->inverse_mass(particle);
+    for (double& component : order) component *= model_.inverse_mass(particle);
   return a;
 }
 

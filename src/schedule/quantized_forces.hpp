@@ -11,10 +11,9 @@
 
 #include <array>
 #include <functional>
-#include <memory>
 #include <vector>
 
-#include "jetlag/model/neighbourhoods.hpp"
+#include "jetlag/model/model.hpp"
 
 namespace jetlag {
 
@@ -25,7 +24,7 @@ class QuantizedForces {
   using Signal = std::function<void(int kind, int particle, double time, double* to, std::size_t next)>;
 
   /// orders: coefficients of the forces, 1 to 3.
-  QuantizedForces(const System<double>& system, int orders, Signal signal);
+  QuantizedForces(const Model<double>& model, int orders, Signal signal);
 
   /// Computes anew all forces about `time` that depend on the position of a moving particle (kind 0), or on its
   /// velocity (1). Where one is not finite all stay as they were, and the result is false.
@@ -57,7 +56,7 @@ class QuantizedForces {
   void run(const Part& part, int particle, double time);
   void fill(const Part& part, int particle, double time);
 
-  std::shared_ptr<const Neighbourhoods> all_;
+  Model<double> model_;
   int orders_, stride_;
   Signal signal_;
   std::array<Part, 2> parts_;                // without and with velocities

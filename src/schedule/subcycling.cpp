@@ -60,7 +60,7 @@ Subcycling::Subcycling(const System<double>& system, const ParticleSteps& steps)
     }
   for (auto& [step, members] : particles) {
     const int clock = clock_of[members.front()];
-    add_clock(system, step, elements[clock], std::move(members));
+    add_clock(step, elements[clock], std::move(members));
   }
 }
 
@@ -75,6 +75,7 @@ ParticleSteps courant_steps_of_particles(const System<double>& system, double fr
   }
   if (longest == 0)
     throw std::invalid_argument("courant: no particle has a stiffness that limits its step; give a step");
+  require_bounded(system);
   for (double& step : steps)
     if (step == 0) step = longest;
   return steps;

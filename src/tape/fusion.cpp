@@ -34,13 +34,11 @@ void fuse_separations(Tape& tape) {
         !is_position(node.operands[1]))
       continue;
     const Input plus = tape.nodes[node.operands[0]].input, minus = tape.nodes[node.operands[1]].input;
-    if (plus.component != minus.component || plus.participant > 1 || minus.participant > 1 ||
-        plus.participant == minus.participant)
-      continue;
+    if (plus.component != minus.component || plus.participant == minus.participant) continue;
     node = {.kind = Node::Kind::input,
             .is_static = false,
             .operands = {},
-            .input = {Input::Kind::separation, plus.participant, plus.component}};
+            .input = {Input::Kind::separation, plus.participant, plus.component, minus.participant}};
   }
 }
 

@@ -83,8 +83,9 @@ std::string Tape::to_string() const {
         static constexpr const char* names[] = {"position", "velocity", "time", "separation"};
         text += names[static_cast<int>(node.input.kind)];
         if (node.input.kind != Input::Kind::time)
-          text += "[" + std::to_string(node.input.participant) + "][" + std::to_string(node.input.component) +
-                  "]";
+          text += "[" + std::to_string(node.input.participant) +
+                  (node.input.kind == Input::Kind::separation ? "-" + std::to_string(node.input.minus) : "") +
+                  "][" + std::to_string(node.input.component) + "]";
         break;
       }
       case Node::Kind::operation: {

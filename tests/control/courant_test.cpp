@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -19,9 +20,10 @@
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/model/energy.hpp"
 #include "jetlag/schedule/lockstep.hpp"
+#include "support/laws_of_many.hpp"
 #include "support/problems.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::courant_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -49,6 +51,38 @@ TEST(CommonDamping, IsThatOfDragWhereItIsTheSameForAllMovingParticles) {
   scene.system.add<Drag>({{1}}, {{0.2}});  // and now particle 1 is slowed at a rate of 0.4
   EXPECT_EQ(common_damping(scene.system), 0.0);
   scene.system.fix(0);
+  EXPECT_DOUBLE_EQ(common_damping(scene.system), 0.4);
+}
+
+/// F = -c v, by another name, and with one that says nothing of itself.
+struct Damper {
+  static constexpr const char* name = "damper";
+  static constexpr int participants = 1;
+  static constexpr std::array parameters{"tau", "coefficient"};
+  template <class T, int D>
+  static Vector<T, D> force(const Participants<T, D, 1>& p, const T& tau, const T& c) {
+    return T(-c / tau) * p.velocity[0];
+  }
+  static double damping(double tau, double c) { return c / tau; }
+};
+struct Friction {
+  static constexpr const char* name = "friction";
+  static constexpr int participants = 1;
+  static constexpr std::array parameters{"coefficient"};
+  template <class T, int D>
+  static Vector<T, D> force(const Participants<T, D, 1>& p, const T& c) {
+    return T(-c * p.velocity[0].squaredNorm()) * p.velocity[0];
+  }
+};
+
+TEST(CommonDamping, IsThatOfAnyLawThatStatesOne) {
+  Problem scene = dumbbell(8.0, 1.0, 2.0);
+  scene.system.add<Friction>({{0}, {1}}, {{0.3}, {0.6}});  // of one participant and one parameter, as drag
+  scene.system.add<Tether>({{0}, {1}}, {{0.3}, {0.6}});
+  EXPECT_EQ(common_damping(scene.system), 0.0);
+  scene.system.add<Damper>({{0}, {1}}, {{2.0, 0.6}, {0.5, 0.3}});
+  EXPECT_DOUBLE_EQ(common_damping(scene.system), 0.3);
+  scene.system.add<Drag>({{0}, {1}}, {{0.1}, {0.2}});
   EXPECT_DOUBLE_EQ(common_damping(scene.system), 0.4);
 }
 
@@ -98,6 +132,58 @@ TEST(FrequencyBound, TakesFixedParticlesAsInfinitelyHeavy) {
 TEST(FrequencyBound, IsZeroWithoutStiffness) {
   EXPECT_EQ(frequency_bound(free_fall().system), 0.0);
   EXPECT_EQ(frequency_bound(planet(0.5).system), 0.0);
+}
+
+TEST(FrequencyBound, HoldsForElementsOfThree) {
+  // Rows of particles that are bent and stretched, linear: K is exact. Sum over elements of k a a^T, a = (1, 1, -2).
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    std::uint64_t drawn = 0;
+    const auto random = [&](double low, double high) {
+      return low + (high - low) * uniform(seed, 0, drawn++);
+    };
+    const int n = 9;
+    std::vector<double> mass(n);
+    for (double& m : mass) m = std::exp(random(-3, 3));
+    System<double> system(1, mass);
+    if (seed % 2 == 0) system.fix(static_cast<int>(seed % n));
+    Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
+    const auto add = [&](const std::vector<std::pair<int, double>>& a, double k) {
+      Eigen::VectorXd row = Eigen::VectorXd::Zero(n);
+      for (const auto& [i, factor] : a)
+        if (!system.fixed()[i]) row(i) = factor / std::sqrt(mass[i]);
+      stiffness += k * row * row.transpose();
+    };
+    for (int i = 0; i + 2 < n; ++i) {
+      const double bend = std::exp(random(-3, 3)), stretch = std::exp(random(-3, 3));
+      system.add<Bend>({{i, i + 2, i + 1}}, {{bend}});
+      add({{i, 1}, {i + 2, 1}, {i + 1, -2}}, bend);
+      system.add<Spring>({{i, i + 1}}, {{stretch, 1.0}});
+      add({{i, 1}, {i + 1, -1}}, stretch);
+    }
+    const double truth =
+        std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(stiffness).eigenvalues().maxCoeff());
+    EXPECT_GE(frequency_bound(system), truth * (1 - 1e-12)) << "seed " << seed;
+    EXPECT_LE(frequency_bound(system), 3 * truth) << "seed " << seed;
+    const std::vector<double> bounds = frequency_bounds(system);
+    EXPECT_EQ(*std::ranges::max_element(bounds), frequency_bound(system));
+  }
+}
+
+TEST(FrequencyBound, SaysWhichForceItDoesNotBound) {
+  Problem scene = dumbbell(8.0, 1.0, 2.0);
+  scene.system.add<UniformField>({{0}}, {{1.0, 0.0, 0.0}});  // acts everywhere alike
+  scene.system.add<Drag>({{0}}, {{0.1}});
+  EXPECT_EQ(unbounded_force(scene.system), "");
+  EXPECT_NO_THROW(require_bounded(scene.system));
+  scene.system.add<Gravity>({{0, 1}}, {{1e-9}});
+  EXPECT_EQ(frequency_bound(scene.system), std::sqrt(12.0));  // that of the spring alone
+  EXPECT_EQ(unbounded_force(scene.system), "gravity");
+  const auto names_gravity =
+      ThrowsMessage<std::invalid_argument>(HasSubstr("no stiffness is known of gravity"));
+  EXPECT_THAT([&] { require_bounded(scene.system); }, names_gravity);
+  EXPECT_THAT(
+      [&] { courant_steps_of_particles(scene.system, fixed_degree(4), VelocitySeries::own_series, 0.5); },
+      names_gravity);
 }
 
 // ---- the crop ---------------------------------------------------------------------------------------------
@@ -172,4 +258,4 @@ TEST(Courant, RefusesWhatCannotBeStable) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::courant_test

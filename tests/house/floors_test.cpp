@@ -32,7 +32,7 @@ const std::vector<Room> house = {
     {"motion", {"base", "series", "tape", "model"}},
     {"truncation", {"base"}},
     {"problems", {"forces", "model", "truncation"}},
-    {"control", {"base", "forces", "model", "motion", "truncation"}},
+    {"control", {"base", "model", "motion", "truncation"}},
     {"integrators",
      {"base", "series", "model", "motion", "truncation", "control"},
      {"base", "model", "truncation"}},

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "jetlag/forces/forces.hpp"
-#include "jetlag/model/particle_order.hpp"
+#include "jetlag/model/model.hpp"
 #include "jetlag/motion/expansion.hpp"
 
 namespace jetlag::testing::large_scenes_test {
@@ -122,7 +122,7 @@ TEST(LargeScenes, TakeAtMostOneKibibyteForASpring) {
 
 TEST(ParticleOrder, BringsNeighboursTogether) {
   const Net net(true);
-  const auto rank = particle_order(net.system(false));
+  const auto rank = Model<>(net.system(false)).rank();
   ASSERT_EQ(rank.size(), net.number.size());
   int furthest = 0;
   for (const auto& [a, b] : net.pairs) furthest = std::max(furthest, std::abs(rank[a] - rank[b]));
@@ -131,7 +131,7 @@ TEST(ParticleOrder, BringsNeighboursTogether) {
 }
 
 TEST(ParticleOrder, KeepsAnOrderThatIsAsGood) {
-  const auto rank = particle_order(Net(false).system(false));
+  const auto rank = Model<>(Net(false).system(false)).rank();
   for (int i = 0; i < side * side; ++i) EXPECT_EQ(rank[i], i);
 }
 

@@ -69,15 +69,12 @@ Problem network(int particles, std::uint64_t seed) {
 /// A group of a network beside the whole of it.
 struct Pair {
   Problem scene;
-  std::shared_ptr<const Neighbourhoods> graph;
+  Model<> graph;
   Expansion<double> whole;
   std::vector<int> places;
 
   Pair(int particles, int order)
-      : scene(network(particles, 7)),
-        graph(std::make_shared<Neighbourhoods>(scene.system)),
-        whole(scene.system),
-        places(particles, -1) {
+      : scene(network(particles, 7)), graph(scene.system), whole(graph), places(particles, -1) {
     whole.start(scene.start);
     whole.grow_to(order);
   }
@@ -211,10 +208,10 @@ TEST(PartialExpansion, ShiftsWhatIsKnownToThePresent) {
       }
 }
 
-TEST(Neighbourhoods, KnowWhoSharesAnElement) {
+TEST(Model, KnowWhoSharesAnElement) {
   const Pair pair(150, 2);
   const auto of = [&](int i) {
-    const auto n = pair.graph->neighbours(i);
+    const auto n = pair.graph.neighbours(i);
     return std::vector<int>(n.begin(), n.end());
   };
   EXPECT_EQ(of(50), (std::vector{47, 48, 49, 51, 53}));  // 52 is fixed

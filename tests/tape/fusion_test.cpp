@@ -48,7 +48,7 @@ TEST_F(Fusion, MakesASeparationOfTwoPositionsAnInput) {
 
 TEST_F(Fusion, TellsTheTwoSeparationsApart) {
   const Tape tape = with_separations(recording_.finish({x(0, 2) - x(1, 2)}));
-  EXPECT_EQ(tape.nodes[0].input, (Input{Input::Kind::separation, 0, 2}));
+  EXPECT_EQ(tape.nodes[0].input, (Input{Input::Kind::separation, 0, 2, 1}));
 }
 
 TEST_F(Fusion, LeavesOtherDifferencesAlone) {

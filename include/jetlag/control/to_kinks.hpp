@@ -27,7 +27,7 @@ class StepsToKinks {
   /// No kinks.
   StepsToKinks() = default;
   /// Keeps no reference to the system.
-  explicit StepsToKinks(const System<double>& system) : kinks_(system) {}
+  explicit StepsToKinks(const Model<double>& model) : kinks_(model) {}
 
   bool none() const { return kinks_.none(); }
   Kinks& kinks() { return kinks_; }
@@ -64,7 +64,7 @@ class StepsToKinks {
 class ToKinks final : public Control {
  public:
   /// Keeps no reference to the system.
-  ToKinks(const System<double>& system, std::unique_ptr<Control> inner);
+  ToKinks(const Model<double>& model, std::unique_ptr<Control> inner);
   ToKinks(const ToKinks& other);
   ToKinks(ToKinks&&) = default;
 

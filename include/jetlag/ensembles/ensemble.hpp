@@ -34,7 +34,7 @@ class Ensemble {
   /// Keeps no reference to the system. degree: >= 1. states: one for each trajectory; their rests are dropped, their
   /// times may differ. max_step [s]: > 0, may be infinite.
   /// Throws std::invalid_argument for what is out of range, for a state of another shape, for a fixed particle that is
-  /// not at rest, and for forces on one particle with kinks (model/kinks.hpp).
+  /// not at rest, and for forces whose kinks are more than points, such as floors (model/kinks.hpp).
   Ensemble(const System<double>& system, int degree, const std::vector<State<double>>& states,
            double max_step = std::numeric_limits<double>::infinity(), Workers workers = Workers(1))
       : Ensemble(system, degree, states, max_step, std::move(workers),

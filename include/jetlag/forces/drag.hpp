@@ -16,6 +16,8 @@ struct Drag {
   static Vector<T, D> force(const Participants<T, D, 1>& p, const T& coefficient) {
     return T(-coefficient) * p.velocity[0];
   }
+
+  static double damping(double c) { return c; }
 };
 
 extern template RecordedLaw record_law<Drag>(int);  // recorded in src/forces

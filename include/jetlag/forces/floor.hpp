@@ -70,7 +70,8 @@ struct HalfSpace {
 /// Conserves: energy, momentum along the surface.
 struct Floor : detail::HalfSpace<1> {
   static constexpr const char* name = "floor";
-  static constexpr int stiffness_parameter = 0;
+
+  static double stiffness(double k, double, double, double, double) { return k; }
 };
 
 /// F = k s^2 n,   E = k s^3 / 3;   stiffness k [N/m^2], the others as in Floor. The force has a continuous slope: a step

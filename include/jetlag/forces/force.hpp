@@ -6,35 +6,54 @@
 //
 //   struct Spring {
 //     static constexpr const char* name = "spring";
-//     static constexpr int participants = 2;
+//     static constexpr int participants = 2;                              // 1 to 8
 //     static constexpr std::array parameters{"stiffness", "rest_length"};
 //
-//     template <class T, int D>     // force on participant 0 [N]
+//     template <class T, int D>     // force on participant 0 [N]; participant 1 gets the opposite
 //     static Vector<T, D> force(const Participants<T, D, 2>& p, const T& stiffness, const T& rest_length);
-//
-//     static constexpr int stiffness_parameter = 0;   // its number, if one bounds -dF/dx; for the Courant limit
-//
-//     template <class T, int D>     // potential energy [J]; left out when there is none
-//     static T energy(const Participants<T, D, 2>& p, const T& stiffness, const T& rest_length);
-//
-//     template <int D>              // the way to where the force has a kink or jumps [m]; left out when it does not
-//     static Vector<double, D> kink(const Positions<D, 2>& x, double stiffness, double rest_length);
 //   };
 //
+// Which forces it gives. A law acts between its participants, and gives the forces on all but the last, which gets minus
+// their sum; or it is *external*, and gives those on all. A law of one participant is external, another one says so. One
+// force is called `force`, several are an array:
+//
+//     static std::array<Vector<T, D>, 3> forces(const Participants<T, D, 4>& p, ...);
+//
+// What else it may have:
+//
+//     static constexpr bool external = true;                // gives the force on each of two participants or more
+//     static constexpr std::array dimensions{2, 3};         // of space, where it is not defined in all of 1, 2 and 3
+//
+//     template <class T, int D>     // potential energy [J]
+//     static T energy(const Participants<T, D, 2>& p, const T& stiffness, const T& rest_length);
+//
+//     static double stiffness(double k, double);            // k [N/m], of the parameters: for the Courant limit
+//     static double damping(double c);                      // c [kg/s], of the parameters: for the Courant limit
+//
+//     template <int D>              // the way to where the force has a kink or jumps [m]
+//     static Vector<double, D> kink(const Positions<D, 2>& x, double stiffness, double rest_length);
+//
 // Invariants, tested for every law of the register (forces.hpp):
-//   - one participant: `force` is the force on it; two: the force on participant 0, and participant 1 gets the
-//     opposite, so that every law between particles conserves momentum to the last bit;
+//   - a law between particles conserves momentum: the forces of an element add up to zero to the last bit, those given
+//     in their order, then that on the last participant;
+//   - it also turns with the world: it depends on no direction of space;
 //   - where `energy` exists, force = -d energy / d position;
-//   - a law of two participants turns with the world: it depends on no direction of space;
+//   - `stiffness` bounds the eigenvalues of -d force_i / d x_i of each participant i, in any state, or in those that its
+//     comment names. Then no mode of one element is faster than  omega^2 = k sum_i 1/m_i.  A law that acts on positions
+//     and has none is not bounded;
+//   - `damping` is of a law of one participant: its force is -c v and something that does not depend on v;
 //   - where `kink` exists, it has 1 to 3 components, vanishes where no series of the force goes on, comes out on the other
-//     side turned round by more than a right angle, and changes by no more than the ways of the participants together.
+//     side turned round by more than a right angle, and changes by no more than the ways of the participants together,
+//     that of a law between particles not at all where they move alike.
 //     Of a spring it is the vector from end to end, of a floor the height above it. Not for kinks that move by themselves
 //     or depend on velocities.
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -61,12 +80,48 @@ struct Participants {
 template <int D, int P>
 using Positions = std::array<Vector<double, D>, P>;
 
+constexpr int most_participants = 8;
+
 template <class L>
 concept ForceLaw = requires {
   { L::name } -> std::convertible_to<const char*>;
   { L::participants } -> std::convertible_to<int>;
   L::parameters.size();
-} && (L::participants == 1 || L::participants == 2);
+} && (1 <= L::participants && L::participants <= most_participants);
+
+/// Whether a law gives the forces on all of its participants.
+template <ForceLaw L>
+constexpr bool is_external() {
+  if constexpr (requires { L::external; })
+    return L::external || L::participants == 1;
+  else
+    return L::participants == 1;
+}
+
+/// How many forces it gives: on its first participants.
+template <ForceLaw L>
+constexpr int forces_given = is_external<L>() ? L::participants : L::participants - 1;
+
+/// Whether it is defined in a dimension of space.
+template <ForceLaw L>
+constexpr bool is_defined_in(int dimension) {
+  if constexpr (requires { L::dimensions; })
+    return std::ranges::find(L::dimensions, dimension) != L::dimensions.end();
+  else
+    return 1 <= dimension && dimension <= 3;
+}
+
+/// The forces that a law gives [N].
+template <ForceLaw L, class T, int D, class... C>
+std::array<Vector<T, D>, forces_given<L>> forces_of(const Participants<T, D, L::participants>& p,
+                                                    const C&... c) {
+  if constexpr (requires { L::force(p, c...); }) {
+    static_assert(forces_given<L> == 1, "a law that gives several forces has an array of them, `forces`");
+    return {Vector<T, D>(L::force(p, c...))};
+  } else {
+    return L::forces(p, c...);
+  }
+}
 
 /// A law recorded for one dimension of space. Its parameters are those of the law, then the participants' masses.
 struct RecordedLaw {
@@ -74,16 +129,28 @@ struct RecordedLaw {
   int dimension;
   int participants;
   std::vector<std::string> parameters;  // names, without the masses
-  Tape force;                           // outputs: the force on participant 0, component by component
-  std::optional<Tape> energy;           // output: the potential energy
-  int stiffness_parameter = -1;  // the parameter that bounds the eigenvalues of -dF_0/dx_0 [N/m], if any
+  Tape force;  // outputs: the forces on the first `given` participants, component by component
+  std::optional<Tape> energy;  // output: the potential energy
+  int given = 1;               // all participants, or all but the last, which gets minus the sum
+
+  /// What the law says of its elements by their parameters; null where it says nothing.
+  using OfParameters = double (*)(const double* parameters);
+  OfParameters stiffness = nullptr;  // [N/m]
+  OfParameters damping = nullptr;    // [kg/s]
 
   /// What the law says of its kinks, from the positions of the participants, shape (participants, dimension), and the
   /// parameters; zero from its last component on. Null where it has none.
   using Kink = Eigen::Vector3d (*)(const double* positions, const double* parameters);
   Kink kink = nullptr;
   int kink_components = 0;
+
+  bool is_external() const { return given == participants; }
+  /// Whether its kinks are where particles meet, as the ends of a spring, so that hardly any motion hits one.
+  bool has_point_kinks() const { return kink != nullptr && participants > 1 && kink_components == dimension; }
 };
+
+/// Whether the force of a law depends on a kind of input; on positions also by their separations.
+bool reads(const RecordedLaw& law, Input::Kind kind);
 
 namespace detail {
 
@@ -135,17 +202,43 @@ void add_kink(RecordedLaw& law) {
   }
 }
 
+/// L::stiffness(parameters ...) and L::damping(parameters ...), where they are.
+template <class L, std::size_t... I>
+auto call_stiffness(const double* parameters, std::index_sequence<I...>)
+    -> decltype(L::stiffness(parameters[I]...)) {
+  return L::stiffness(parameters[I]...);
+}
+template <class L, std::size_t... I>
+auto call_damping(const double* parameters, std::index_sequence<I...>)
+    -> decltype(L::damping(parameters[I]...)) {
+  return L::damping(parameters[I]...);
+}
+
+template <ForceLaw L>
+void add_bounds(RecordedLaw& law) {
+  using Each = std::make_index_sequence<L::parameters.size()>;
+  if constexpr (requires(const double* c) { call_stiffness<L>(c, Each{}); })
+    law.stiffness = [](const double* c) -> double { return call_stiffness<L>(c, Each{}); };
+  if constexpr (requires(const double* c) { call_damping<L>(c, Each{}); }) {
+    static_assert(L::participants == 1, "only a law of one participant has a damping");
+    law.damping = [](const double* c) -> double { return call_damping<L>(c, Each{}); };
+  }
+}
+
 template <ForceLaw L, int D>
 RecordedLaw record_in_dimension() {
   RecordedLaw law{L::name, D, L::participants, {L::parameters.begin(), L::parameters.end()}, {}, {}};
-  if constexpr (requires { L::stiffness_parameter; }) law.stiffness_parameter = L::stiffness_parameter;
+  law.given = forces_given<L>;
+  add_bounds<L>(law);
   add_kink<L, D>(law);
   const int all_parameters = static_cast<int>(L::parameters.size()) + L::participants;
   {
     Recording recording;
-    const Vector<Recorded, D> f = call_recorded<L, D>(
-        recording, [](const auto& p, const auto&... c) -> Vector<Recorded, D> { return L::force(p, c...); });
-    law.force = with_separations(recording.finish({f.data(), f.data() + D}));
+    const auto forces =
+        call_recorded<L, D>(recording, [](const auto& p, const auto&... c) { return forces_of<L>(p, c...); });
+    std::vector<Recorded> components;
+    for (const auto& f : forces) components.insert(components.end(), f.data(), f.data() + D);
+    law.force = with_separations(recording.finish(components));
     law.force.parameters = all_parameters;
   }
   constexpr bool has_energy = requires(Participants<Recorded, D, L::participants> p) {
@@ -167,14 +260,19 @@ RecordedLaw record_in_dimension() {
 }  // namespace detail
 
 /// The law, called once with the recording scalar. dimension: 1, 2 or 3.
+/// Throws std::invalid_argument for another dimension, and for one in which the law is not defined.
 template <ForceLaw L>
 RecordedLaw record_law(int dimension) {
-  switch (dimension) {
-    case 1: return detail::record_in_dimension<L, 1>();
-    case 2: return detail::record_in_dimension<L, 2>();
-    case 3: return detail::record_in_dimension<L, 3>();
-    default: throw std::invalid_argument("dimension must be 1, 2 or 3, got " + std::to_string(dimension));
-  }
+  if (dimension < 1 || dimension > 3)
+    throw std::invalid_argument("dimension must be 1, 2 or 3, got " + std::to_string(dimension));
+  if constexpr (is_defined_in<L>(1))
+    if (dimension == 1) return detail::record_in_dimension<L, 1>();
+  if constexpr (is_defined_in<L>(2))
+    if (dimension == 2) return detail::record_in_dimension<L, 2>();
+  if constexpr (is_defined_in<L>(3))
+    if (dimension == 3) return detail::record_in_dimension<L, 3>();
+  throw std::invalid_argument(std::string(L::name) + " is not defined in dimension " +
+                              std::to_string(dimension));
 }
 
 }  // namespace jetlag

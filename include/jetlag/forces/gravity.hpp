@@ -8,6 +8,7 @@ namespace jetlag {
 
 /// F_0 = G m_0 m_1 d / |d|^3,   d = x_1 - x_0;   E = -G m_0 m_1 / |d|.         Source: Newton.
 /// constant G [m^3 / (kg s^2)].   Range: d != 0. There the force is not finite.
+/// Its stiffness 2 G m_0 m_1 / |d|^3 grows as they come together: `courant` has no bound.
 /// Conserves: momentum, angular momentum, energy.
 struct Gravity {
   static constexpr const char* name = "gravity";

@@ -15,7 +15,6 @@ struct Spring {
   static constexpr const char* name = "spring";
   static constexpr int participants = 2;
   static constexpr std::array parameters{"stiffness", "rest_length"};
-  static constexpr int stiffness_parameter = 0;  // along d; across it the stiffness is k (1 - L/|d|) < k
 
   template <class T, int D>
   static Vector<T, D> force(const Participants<T, D, 2>& p, const T& stiffness, const T& rest_length) {
@@ -31,6 +30,9 @@ struct Spring {
     const T extension = d.norm() - rest_length;
     return T(0.5) * stiffness * extension * extension;
   }
+
+  /// Along d; across it the stiffness is k (1 - L/|d|) < k.
+  static double stiffness(double k, double) { return k; }
 
   /// At length 0 the force turns round, but for L = 0.
   template <int D>

@@ -9,9 +9,6 @@
 
 namespace jetlag {
 
-/// Whether the force of a law depends on a kind of input.
-bool reads(const RecordedLaw& law, Input::Kind kind);
-
 /// Whether a force of the system depends on a kind of input.
 bool forces_read(const System<double>& system, Input::Kind kind);
 

@@ -2,10 +2,10 @@
 #pragma once
 // What a motion conserves, or should.
 
+#include <optional>
 #include <vector>
 
-#include "jetlag/model/element_blocks.hpp"
-#include "jetlag/model/system.hpp"
+#include "jetlag/model/model.hpp"
 
 namespace jetlag {
 
@@ -17,14 +17,16 @@ struct Energy {
 /// Measures the energy of a system: kinetic, and potential for the laws that have one.
 class EnergyMeter {
  public:
-  explicit EnergyMeter(const System<double>& system);
+  explicit EnergyMeter(const Model<double>& model);
+  /// Goes on with another epoch of the model.
+  void move_to(const Model<double>& model);
   /// Throws std::invalid_argument for a state of another shape.
   Energy operator()(const State<double>& state);
 
  private:
-  int dimension_;
-  std::vector<double> mass_;
-  std::vector<ElementBlocks<double>> potentials_;
+  Model<double> model_;
+  std::vector<std::optional<ElementBlocks<double>>>
+      potentials_;                             // of the laws of the model; of those that have one
   AlignedVector<double> position_, velocity_;  // padded rows
 };
 

@@ -16,7 +16,7 @@
 #include <span>
 #include <vector>
 
-#include "jetlag/model/system.hpp"
+#include "jetlag/model/model.hpp"
 
 namespace jetlag {
 
@@ -41,8 +41,7 @@ class Kinks {
  public:
   Kinks() = default;
 
-  /// Keeps no reference to the system.
-  explicit Kinks(const System<double>& system);
+  explicit Kinks(const Model<double>& model);
 
   /// Whether no moving particle has an element with a kink.
   bool none() const { return laws_.empty(); }
@@ -102,26 +101,19 @@ class Kinks {
   std::vector<Step> shorten(std::span<Step> steps, double depth, const Paths& now);
 
  private:
-  struct Law {
-    RecordedLaw::Kink kink;
-    int participants;
-    std::vector<int> particles;      // shape (elements, participants)
-    std::vector<double> parameters;  // shape (elements, parameters)
-    std::size_t width;               // parameters of an element
-    bool is_point;                   // where two particles meet, as the ends of a spring
-  };
+  using Law = Model<double>::Law;
   struct Element {
-    int law, number;
+    const Law* of;
+    int number;
+    const RecordedLaw& law() const { return of->elements().law; }
   };
 
-  std::span<const Element> elements_of(int particle) const {
-    return {elements_.data() + first_[particle], elements_.data() + first_[particle + 1]};
+  template <class F>
+  void for_each_element(int particle, F use) const {
+    for (const auto& law : laws_)
+      for (const int e : law->of(particle)) use(Element{law.get(), e});
   }
-  std::span<const int> particles_of(const Element& e) const {
-    const Law& law = laws_[e.law];
-    return {law.particles.data() + static_cast<std::size_t>(e.number) * law.participants,
-            static_cast<std::size_t>(law.participants)};
-  }
+  std::span<const int> particles_of(const Element& e) const { return e.of->particles_of(e.number); }
   /// What an element leaves to a particle that is looked at: room, for a time.
   struct Share {
     double room, time;
@@ -130,19 +122,20 @@ class Kinks {
     double end;  // [s] from now
     bool near_point;
   };
+  Eigen::Vector3d kink(const Element& e, const double* x) const;
   Eigen::Vector3d kink(const Element& e, double s, const Paths& now) const;
   double length(const Element& e, double now) const;
+  double part(const Element& e, double length) const;
+  double speed(const Element& e) const;
   Share share(const Element& e, int particle, double length) const;
   void look(int particle, double now);
   Crossing first_beyond(const Element& e, double h, double depth, const Paths& now) const;
 
   int dimension_ = 0;
   std::vector<bool> fixed_;
-  std::vector<Law> laws_;
-  std::vector<int> first_;         // of each particle's elements; then their number
-  std::vector<Element> elements_;  // of one particle after another
-  std::vector<Track> tracks_;      // of the particles
-  std::vector<int> place_;         // in the steps to be shortened; -1 elsewhere
+  std::vector<std::shared_ptr<const Law>> laws_;  // those with kinks that move
+  std::vector<Track> tracks_;                     // of the particles
+  std::vector<int> place_;                        // in the steps to be shortened; -1 elsewhere
 };
 
 }  // namespace jetlag

@@ -3,37 +3,15 @@
 // An order of the particles in which neighbours are near each other, so that elements run one after another find the
 // particles of their neighbours in the cache.
 
-#include <algorithm>
-#include <numeric>
 #include <vector>
-
-#include "jetlag/model/system.hpp"
 
 namespace jetlag {
 
-/// The rank of each particle in the order of Cuthill and McKee (1969): breadth first over the graph of the elements of
-/// two particles, from a particle of least degree, neighbours by degree; ties by index. Shape (particles). The order in
-/// which the particles are given is kept unless the other brings neighbours twice as near: rows are stored as given.
-/// Empty for small systems, for which order does not matter, and for those where every particle meets every other.
-template <class T>
-std::vector<int> particle_order(const System<T>& system);
-
-// ---- definitions -----------------------------------------------------------------------------------------
-
-namespace detail {
-/// rank of each vertex of a graph given by its edges, two vertices each.
-std::vector<int> cuthill_mckee(int vertices, const std::vector<int>& edges);
-}  // namespace detail
-
-template <class T>
-std::vector<int> particle_order(const System<T>& system) {
-  constexpr std::size_t small = 1000, dense = 64;  // elements; elements for each particle
-  std::vector<int> edges;
-  for (const auto& elements : system.elements())
-    if (elements.law.participants == 2)
-      edges.insert(edges.end(), elements.particles.begin(), elements.particles.end());
-  if (edges.size() / 2 < small || edges.size() / 2 > dense * system.particles()) return {};
-  return detail::cuthill_mckee(system.particles(), edges);
-}
+/// The rank of each particle in the order of Cuthill and McKee (1969): breadth first over the graph of the pairs that
+/// share an element (two particles each), from a particle of least degree, neighbours by degree; ties by index. Shape
+/// (particles). The order in which the particles are given is kept unless the other brings neighbours twice as near: rows
+/// are stored as given. Empty for small systems, for which order does not matter, and for those where every particle meets
+/// every other.
+std::vector<int> particle_order(int particles, const std::vector<int>& pairs);
 
 }  // namespace jetlag

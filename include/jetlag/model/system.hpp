@@ -78,7 +78,7 @@ class System {
 
   /// Elements of law L. participants: the particles of each element; parameters: those of each element, or
   /// one set for all. Throws std::invalid_argument for an index out of range, for a particle paired with
-  /// itself, and for a number of parameters that does not fit.
+  /// itself, for a number of parameters that does not fit, and for a law that is not defined in this dimension.
   template <ForceLaw L>
   void add(const std::vector<std::array<int, L::participants>>& participants,
            const std::vector<std::array<T, L::parameters.size()>>& parameters) {
@@ -146,7 +146,8 @@ void System<T>::add(RecordedLaw law, std::vector<int> members, std::vector<T> pa
       if (particle < 0 || particle >= particles())
         throw std::invalid_argument(who + " " + std::to_string(e) + ": particle " + std::to_string(particle) +
                                     " does not exist, there are " + std::to_string(particles()));
-      if (i == 1 && particle == members[e * law.participants])
+      const auto first = members.begin() + static_cast<std::ptrdiff_t>(e * law.participants);
+      if (std::find(first, first + i, particle) != first + i)
         throw std::invalid_argument(who + " " + std::to_string(e) + ": particle " + std::to_string(particle) +
                                     " cannot be paired with itself");
     }

@@ -25,9 +25,7 @@
 #include <vector>
 
 #include "jetlag/base/workers.hpp"
-#include "jetlag/model/element_blocks.hpp"
-#include "jetlag/model/particle_order.hpp"
-#include "jetlag/model/system.hpp"
+#include "jetlag/model/model.hpp"
 #include "jetlag/motion/accelerate.hpp"
 #include "jetlag/motion/coefficient_view.hpp"
 #include "jetlag/motion/wavefront.hpp"
@@ -39,10 +37,13 @@ class Expansion {
  public:
   using Number = T;
 
-  /// Keeps no reference to the system. expected_degree: storage is made for it; growing beyond it costs a copy.
-  /// The number of workers does not change a bit of the result.
-  explicit Expansion(const System<T>& system, int expected_degree = 8,
+  /// expected_degree: storage is made for it; growing beyond it costs a copy. The number of workers does not change a bit
+  /// of the result.
+  explicit Expansion(const Model<T>& model, int expected_degree = 8,
                      const KernelTable<T>& table = kernels<T>(), Workers workers = Workers(1));
+
+  /// Goes on with another epoch of the model; a start comes next. Laws whose elements are the same keep what they have.
+  void move_to(const Model<T>& model);
 
   /// Starts anew from a state: coefficients 0 and 1 of x are known. Shapes (particles, dimension).
   /// time_unit [s]: positive and finite.
@@ -106,7 +107,7 @@ class Expansion {
   MotionRows<T> motion(int k) {
     return {at(x_, k), at(v_, k), row_size(), time_, time_unit_, rest_.empty() ? nullptr : rest_.data()};
   }
-  void count(const std::vector<ElementBlocks<T>>& laws, int k, int orders);
+  void count(const std::vector<ElementBlocks<T>*>& laws, int k, int orders);
 
   /// From coefficient k of the forces, in the rows of the new positions, to x_{k+2} and v_{k+1}.
   void accelerate(std::size_t first, std::size_t last, int k);
@@ -122,8 +123,13 @@ class Expansion {
     std::vector<int> last_of;  // the particles that no later chunk touches
   };
 
-  /// Where one law needs more than one chunk, all laws push chunk by chunk, in the order of the particles they touch.
-  void push_apart_if_large();
+  /// The blocks of a law, over the elements that it has now.
+  void take(const typename Model<T>::Law& law, ElementBlocks<T>& blocks);
+
+  /// Which laws act. Where one needs more than one chunk, all laws push chunk by chunk, in the order of the particles they
+  /// touch.
+  void arrange();
+  void push_apart();
 
   /// Grows to an order in passes of two orders, or of one where a force depends on velocities.
   void sweep_to(int order);
@@ -133,13 +139,16 @@ class Expansion {
 
   void reserve(int degree);
 
+  Model<T> model_;
+  const KernelTable<T>* table_;
   int particles_, dimension_, stride_;
   Workers workers_;
-  std::vector<T> inverse_mass_;  // one a padded component; 0 for fixed particles
-  std::vector<T> push_;          // the same times the unit of time
-  std::vector<ElementBlocks<T>> without_velocity_, with_velocity_;
-  std::vector<Chunk> chunks_;             // of large scenes
-  std::unique_ptr<Wavefront> wavefront_;  // over the chunks; null for small scenes
+  std::vector<T> inverse_mass_;         // one a padded component; 0 for fixed particles
+  std::vector<T> push_;                 // the same times the unit of time
+  std::vector<ElementBlocks<T>> laws_;  // of the model
+  std::vector<ElementBlocks<T>*> without_velocity_, with_velocity_;  // those that act
+  std::vector<Chunk> chunks_;                                        // of large scenes
+  std::unique_ptr<Wavefront> wavefront_;                             // over the chunks; null for small scenes
   T time_{}, time_unit_{1};
   int order_ = 1, capacity_ = 0;
   AlignedVector<T> x_, v_;  // [order][particle][padded component]
@@ -150,22 +159,37 @@ class Expansion {
 // ---- definitions -----------------------------------------------------------------------------------------
 
 template <class T>
-Expansion<T>::Expansion(const System<T>& system, int expected_degree, const KernelTable<T>& table,
+Expansion<T>::Expansion(const Model<T>& model, int expected_degree, const KernelTable<T>& table,
                         Workers workers)
-    : particles_(system.particles()),
-      dimension_(system.dimension()),
+    : model_(model),
+      table_(&table),
+      particles_(model.particles()),
+      dimension_(model.dimension()),
       stride_(padded(dimension_)),
       workers_(std::move(workers)) {
   for (int i = 0; i < particles_; ++i)
-    inverse_mass_.insert(inverse_mass_.end(), stride_, system.fixed()[i] ? T(0) : T(1) / system.mass()[i]);
-  const auto rank = particle_order(system);
-  for (const Elements<T>& elements : system.elements()) {
-    if (elements.count() == 0) continue;
-    ElementBlocks<T> blocks(system, elements, elements.law.force, table, rank);
-    (blocks.reads_velocity() ? with_velocity_ : without_velocity_).push_back(std::move(blocks));
+    inverse_mass_.insert(inverse_mass_.end(), stride_, model.inverse_mass(i));
+  for (const auto& law : model.laws()) {
+    laws_.push_back(ElementBlocks<T>::none_of(law->forces(), 0));
+    take(*law, laws_.back());
   }
-  push_apart_if_large();
+  arrange();
   reserve(std::max(expected_degree, 2));
+}
+
+template <class T>
+void Expansion<T>::take(const typename Model<T>::Law& law, ElementBlocks<T>& blocks) {
+  blocks.take(law.forces(), law.elements().particles, model_.running_order(law), *table_, std::identity(),
+              std::identity());
+}
+
+template <class T>
+void Expansion<T>::move_to(const Model<T>& model) {
+  const Model<T> before = std::exchange(model_, model);
+  for (std::size_t l = 0; l < laws_.size(); ++l)
+    if (before.laws()[l] != model.laws()[l]) take(model.law(l), laws_[l]);
+  arrange();
+  order_ = 1;
 }
 
 template <class T>
@@ -244,8 +268,7 @@ void Expansion<T>::curve(int last, const T& s, std::vector<T>& into) const {
 template <class T>
 std::size_t Expansion<T>::bytes() const {
   std::size_t total = sizeof(T) * (x_.size() + v_.size() + 2 * inverse_mass_.size());
-  for (const auto* laws : {&without_velocity_, &with_velocity_})
-    for (const auto& blocks : *laws) total += blocks.bytes();
+  for (const auto& blocks : laws_) total += blocks.bytes();
   return total;
 }
 
@@ -294,8 +317,8 @@ void Expansion<T>::sum(const AlignedVector<T>& series, int first, int last, cons
 }
 
 template <class T>
-void Expansion<T>::count(const std::vector<ElementBlocks<T>>& laws, int k, int orders) {
-  for (const auto& blocks : laws) element_coefficients_ += blocks.count() * blocks.running(k, orders);
+void Expansion<T>::count(const std::vector<ElementBlocks<T>*>& laws, int k, int orders) {
+  for (const auto* blocks : laws) element_coefficients_ += blocks->count() * blocks->running(k, orders);
 }
 
 template <class T>
@@ -308,11 +331,11 @@ template <class T>
 void Expansion<T>::grow_by(int orders) {
   const int k = order_ - 1;
   std::fill_n(at(x_, k + 2), orders * row_size(), T(0));
-  for (auto& blocks : without_velocity_)
-    if (blocks.running(k, orders) > 0) blocks.push(0, k, orders, motion(k), at(x_, k + 2));
+  for (auto* blocks : without_velocity_)
+    if (blocks->running(k, orders) > 0) blocks->push(0, k, orders, motion(k), at(x_, k + 2));
   for (int n = k; n < k + orders; ++n) {
-    for (auto& blocks : with_velocity_)
-      if (blocks.running(n, 1) > 0) blocks.push(0, n, 1, motion(n), at(x_, n + 2));
+    for (auto* blocks : with_velocity_)
+      if (blocks->running(n, 1) > 0) blocks->push(0, n, 1, motion(n), at(x_, n + 2));
     accelerate(0, row_size(), n);
   }
   count(without_velocity_, k, orders);
@@ -321,17 +344,30 @@ void Expansion<T>::grow_by(int orders) {
 }
 
 template <class T>
-void Expansion<T>::push_apart_if_large() {
+void Expansion<T>::arrange() {
+  without_velocity_.clear();
+  with_velocity_.clear();
+  chunks_.clear();
   bool large = false;
-  for (const auto* laws : {&without_velocity_, &with_velocity_})
-    for (const auto& blocks : *laws) large = large || blocks.chunks() > 1;
-  if (!large) return;
+  for (auto& blocks : laws_) {
+    if (blocks.count() == 0) continue;
+    (blocks.reads_velocity() ? with_velocity_ : without_velocity_).push_back(&blocks);
+    large = large || blocks.chunks() > 1;
+  }
+  if (large) return push_apart();
+  if (!wavefront_) return;
+  for (auto& blocks : laws_) blocks.push_together();
+  wavefront_.reset();
+}
+
+template <class T>
+void Expansion<T>::push_apart() {
   std::vector<std::pair<Chunk, std::vector<int>>> all;
   for (auto* laws : {&without_velocity_, &with_velocity_})
-    for (auto& blocks : *laws) {
-      auto touched = blocks.push_apart(particles_);
+    for (auto* blocks : *laws) {
+      auto touched = blocks->push_apart(particles_);
       for (std::size_t c = 0; c < touched.size(); ++c)
-        all.push_back({{&blocks, c, {}}, std::move(touched[c])});
+        all.push_back({{blocks, c, {}}, std::move(touched[c])});
     }
   std::vector<std::pair<int, std::size_t>> order;  // by the highest particle, then as they came
   for (std::size_t c = 0; c < all.size(); ++c)
@@ -378,7 +414,7 @@ void Expansion<T>::complete(int particle, int k, int orders) {
   const std::size_t row = static_cast<std::size_t>(particle) * stride_;
   for (int n = k; n < k + orders; ++n) std::fill_n(at(x_, n + 2) + row, stride_, T(0));
   for (const auto* laws : {&without_velocity_, &with_velocity_})
-    for (const auto& blocks : *laws) blocks.collect(particle, k, orders, at(x_, k + 2), row_size());
+    for (const auto* blocks : *laws) blocks->collect(particle, k, orders, at(x_, k + 2), row_size());
   for (int n = k; n < k + orders; ++n) accelerate(row, row + stride_, n);
 }
 
@@ -387,8 +423,7 @@ void Expansion<T>::reserve(int degree) {
   capacity_ = degree;
   x_.resize((degree + 1) * row_size(), T(0));
   v_.resize((degree + 1) * row_size(), T(0));
-  for (auto* laws : {&without_velocity_, &with_velocity_})
-    for (auto& blocks : *laws) blocks.reserve(degree - 1);  // x_degree needs order degree - 2 of the forces
+  for (auto& blocks : laws_) blocks.reserve(degree - 1);  // x_degree needs order degree - 2 of the forces
 }
 
 extern template class Expansion<double>;

@@ -14,18 +14,20 @@
 // Rows, for each order:     active 0 .. A-1 | one for forces on known particles, never read | known 0 .. B-1
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
-#include "jetlag/model/neighbourhoods.hpp"
+#include "jetlag/model/model.hpp"
 
 namespace jetlag {
 
 class PartialExpansion {
  public:
   /// order: the highest that will be asked for, at least 2.
-  PartialExpansion(std::shared_ptr<const Neighbourhoods> all, int order);
+  PartialExpansion(const Model<double>& model, int order);
+
+  /// Goes on with another epoch of the model; a choice comes next.
+  void move_to(const Model<double>& model);
 
   /// Chooses the active particles: distinct, none fixed. places: room for one number a particle, all -1; it is again
   /// when this returns.
@@ -66,7 +68,7 @@ class PartialExpansion {
   void push(std::size_t law, int k, int orders, double time);
   void accelerate(int k);
 
-  std::shared_ptr<const Neighbourhoods> all_;
+  Model<double> model_;
   int order_, stride_;
   std::vector<ElementBlocks<double>> laws_;
   bool reads_velocity_ = false;

@@ -34,7 +34,7 @@ ElementSteps equal_steps(const System<double>& system, double step);
 void require_potentials(const System<double>& system);
 
 /// fraction * 2 / omega_K, the share of its own Courant limit, for each element whose law bounds its stiffness k:
-///     omega_K^2 = k (1/m_a + 1/m_b).     Fixed particles count as infinitely heavy.
+///     omega_K^2 = k sum_{i of it} 1/m_i.     Fixed particles count as infinitely heavy.
 /// A constant force limits no step: it takes the shortest of those on the same particle, or where there is none the
 /// longest of all. fraction: in (0, 1].
 /// Throws std::invalid_argument for another fraction, for a law that neither bounds its stiffness nor is constant, and
@@ -43,13 +43,14 @@ ElementSteps courant_steps(const System<double>& system, double fraction);
 
 /// Steps meant to resonate with no oscillation of the system: each becomes the shortest one, h, times a power of two, not
 /// longer than it was and with
-///     (2^l h) omega_h <= 0.8 pi,   2^l h omega < 2,     omega_h = 2/h asin(h omega / 2),   omega = frequency_bound(system).
-/// omega_h bounds every frequency of motion in steps of h. Clocks that nest repeat every H = 2^l h, the longest step, and
-/// a periodic linear Hamiltonian motion loses its stability only where two of its frequencies (or one, twice) add up to
-/// a multiple of 2 pi / H (M. Krein 1950; V. Arnold, Mathematical Methods of Classical Mechanics, app. 3 and 25 D):
-/// below omega_h H = pi none do. The soft elements shift the frequencies that h alone would give; 0.2 pi is left for that.
-/// The second bound is for a fast motion that is all due to elements of the step H: a hub on many soft springs. Together
-/// they are measured, not proved: no exception in millions of random systems of two and three nested clocks.
+///     2^l h omega < 2,     omega = frequency_bound(system).
+/// omega_h = 2/h asin(h omega / 2) bounds every frequency of motion in steps of h. Clocks that nest repeat every
+/// H = 2^l h, the longest step, and a periodic linear Hamiltonian motion loses its stability only where two of its
+/// frequencies (or one, twice) add up to a multiple of 2 pi / H (M. Krein 1950; V. Arnold, Mathematical Methods of
+/// Classical Mechanics, app. 3 and 25 D): below omega_h H = pi none do, and H omega < 2 keeps it below 2 pi/3. The soft
+/// elements shift the frequencies that h alone would give; pi/3 is left for that. H omega < 2 is itself needed for a fast
+/// motion that is all due to elements of the step H: a hub on many soft springs. Measured, not proved: no exception in
+/// millions of random systems of two and three nested clocks.
 /// Forces without a bound on their stiffness are not covered. Throws std::invalid_argument where the shortest step is
 /// itself beyond 2/omega, and where no element has a stiffness.
 ElementSteps without_resonance(const System<double>& system, ElementSteps steps);

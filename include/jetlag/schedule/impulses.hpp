@@ -21,8 +21,8 @@
 #include <string>
 #include <vector>
 
+#include "jetlag/model/model.hpp"
 #include "jetlag/schedule/event_driven.hpp"
-#include "jetlag/tape/program.hpp"
 
 namespace jetlag {
 
@@ -32,12 +32,11 @@ class Impulses : public EventDriven {
 
  protected:
   /// name: of the method; owner: what has a clock, for messages.
-  Impulses(const System<double>& system, std::string name, std::string owner);
+  Impulses(const Model<double>& model, std::string name, std::string owner);
 
-  /// elements: the numbers of those that the clock evaluates, for each group of System::elements(); empty for none.
+  /// elements: the numbers of those that the clock evaluates, for each law of the model; empty for none.
   /// pushed: the particles that it pushes, ascending, none fixed. step: > 0 and finite, longer than that of the last.
-  void add_clock(const System<double>& system, double step, const std::vector<std::vector<int>>& elements,
-                 std::vector<int> pushed);
+  void add_clock(double step, const std::vector<std::vector<int>>& elements, std::vector<int> pushed);
 
  private:
   struct Clock;
@@ -60,9 +59,9 @@ class Impulses : public EventDriven {
   bool push(Clock& clock, double time, double share, Report& report);
   bool schedule(int clock, Report& report);
 
+  Model<double> model_;
   std::string name_;
   int dimension_, stride_;
-  std::vector<double> push_;   // 1/m, 0 of fixed particles
   std::vector<Clock> clocks_;  // shortest step first
   std::vector<Due> due_;       // a heap: who rings next, ties by number
   std::vector<int> ringing_;   // those that ring now

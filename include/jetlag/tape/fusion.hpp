@@ -16,8 +16,7 @@ namespace jetlag {
 /// The same outputs from fewer operations. Sums are added in another order: results agree to rounding.
 Tape fused(const Tape& tape);
 
-/// The same with differences of the positions of participants 0 and 1 as inputs: for laws of two participants, whose
-/// elements know how to take them.
+/// The same with differences of the positions of two participants as inputs: elements know how to take them.
 Tape with_separations(const Tape& tape);
 
 }  // namespace jetlag

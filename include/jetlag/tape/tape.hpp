@@ -13,11 +13,12 @@
 
 namespace jetlag {
 
-/// What a tape reads from the scene. A separation is the position of `participant` minus that of the other of two.
+/// What a tape reads from the scene. A separation is the position of `participant` minus that of `minus`.
 struct Input {
   enum class Kind { position, velocity, time, separation } kind;
   int participant;  // 0 for time
   int component;    // 0 for time
+  int minus = 0;    // of a separation
   friend bool operator==(const Input&, const Input&) = default;
 };
 

@@ -14,15 +14,13 @@ namespace jetlag {
 /// a(t, x, v), its derivative in a direction, and the solution of a linearised step.
 class NewtonSolver {
  public:
-  explicit NewtonSolver(const System<double>& system)
-      : system_(system), all_(system, [](auto) { return true; }) {
-    inverse_mass_ = Eigen::VectorXd::Zero(particles());
-    for (int i = 0; i < particles(); ++i)
-      if (!system.fixed()[i]) inverse_mass_(i) = 1.0 / system.mass()[i];
+  explicit NewtonSolver(const Model<double>& model)
+      : model_(model), all_(model, [](auto) { return true; }), inverse_mass_(model.particles()) {
+    for (int i = 0; i < particles(); ++i) inverse_mass_(i) = model.inverse_mass(i);
   }
 
-  int particles() const { return system_.particles(); }
-  int dimension() const { return system_.dimension(); }
+  int particles() const { return model_.particles(); }
+  int dimension() const { return model_.dimension(); }
   std::uint64_t element_coefficients() const {
     return all_.element_coefficients() + (part_ ? part_->element_coefficients() : 0) + earlier_;
   }
@@ -72,11 +70,11 @@ class NewtonSolver {
       for (std::size_t i = 0; i < unknown.size(); ++i) place_[unknown[i]] = static_cast<int>(i);
       const auto is_unknown = [&](int particle) { return place_[particle * dimension()] >= 0; };
       bool are_all = true;
-      for (int i = 0; i < particles(); ++i) are_all = are_all && (is_unknown(i) || system_.fixed()[i]);
+      for (int i = 0; i < particles(); ++i) are_all = are_all && (is_unknown(i) || model_.is_fixed(i));
       if (part_) earlier_ += part_->element_coefficients();
       part_ = are_all ? nullptr
                       : std::make_unique<ElementJacobian>(
-                            system_, [&](auto members) { return std::ranges::any_of(members, is_unknown); },
+                            model_, [&](auto members) { return std::ranges::any_of(members, is_unknown); },
                             is_unknown);
     }
     if (!part_) return all_;
@@ -84,7 +82,7 @@ class NewtonSolver {
     return *part_;
   }
 
-  System<double> system_;
+  Model<double> model_;
   ElementJacobian all_;
   Eigen::VectorXd inverse_mass_;
   std::vector<Eigen::Index> unknown_;

@@ -118,6 +118,23 @@ TEST(AviResonance, IsAvoidedWhereManySoftElementsMakeAMassFast) {
   EXPECT_LT(growth(without_resonance(system, plain)), 1.5);
 }
 
+TEST(AviResonance, IsAvoidedByAThirdOfPi) {
+  // The longest steps H nest up to the limit of leapfrog of the bound on the frequency, and no farther. As many short steps
+  // of h as there are in H turn the fastest oscillation by less than 2/3 pi then, whatever H / h.
+  const Problem chain = wall_chain();
+  const double omega = std::sqrt(103.0);
+  for (int i = 1; i < 200; ++i) {
+    const double h = 2 / omega * i / 200.0;
+    const ElementSteps cured = without_resonance(chain.system, wall_chain_steps(h, 256));
+    const double H = cured[0][1];
+    EXPECT_LT(H * omega, 2.0) << h;
+    EXPECT_TRUE(2 * H * omega >= 2.0 || H == 256 * h) << h;
+    if (H > h) {
+      EXPECT_LT(H * 2 / h * std::asin(h * omega / 2), 2 * std::numbers::pi / 3) << h;
+    }
+  }
+}
+
 TEST(AviResonance, IsAvoidedAtEveryStepThatLeapfrogCouldTake) {
   const Problem chain = wall_chain();
   const double limit = 2 / std::sqrt(103.0);  // of the bound on the frequency
