@@ -126,7 +126,7 @@ SceneKeys truncation_keys() {
   for (const LawRecord& record : law_records()) choices.push_back({record.name, record.keys});
   return joined(
       {{choice("integrator.law", names_of(law_records()), "geometric",
-               "; the last two with a control that reads no variance, without courant")},
+               "; `sequential`, `single_term` with a control that reads no variance, without courant")},
        merged("integrator", choices),
        {{"integrator.draws", quoted_list(names_of_draws) + "; `stratified` with a draw for each particle",
          "independent"}}});
