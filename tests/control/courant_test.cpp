@@ -16,6 +16,8 @@
 
 #include "jetlag/control/fixed_step.hpp"
 #include "jetlag/forces/drag.hpp"
+#include "jetlag/forces/spring.hpp"
+#include "jetlag/forces/uniform_field.hpp"
 #include "jetlag/integrators/explicit/leapfrog.hpp"
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/model/energy.hpp"

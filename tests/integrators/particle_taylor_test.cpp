@@ -13,7 +13,7 @@
 #include "jetlag/forces/gravity.hpp"
 #include "jetlag/forces/spring.hpp"
 #include "support/digits50.hpp"
-#include "support/scenes_for_tests.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {

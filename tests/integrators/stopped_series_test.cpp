@@ -15,7 +15,7 @@
 #include "jetlag/integrators/particle_taylor.hpp"
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/schedule/block.hpp"
-#include "support/scenes_for_tests.hpp"
+#include "support/problems.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -92,7 +92,7 @@ TEST(StoppedSeries, HasTheSameDrawsInEveryMethod) {
   // x'' = -x by all of them: the sums are the same to rounding, some eps of weights up to 2^7 a step. Another degree in one
   // step would change x by 1e-2.
   const TruncationLaw law = geometric(2, 9, 0.5);
-  const Scene scene = oscillator(1.0, 1.0, 0.0);
+  const Problem scene = oscillator(1.0, 1.0, 0.0);
   std::uint64_t expected = 0;
   for (int degree : degrees(law)) expected += degree;
 
@@ -132,7 +132,7 @@ TEST(StoppedSeries, HasTheSameDrawsInEveryMethod) {
 
 TEST(StoppedSeries, HasTheSameDrawsInViewOfTermsInEveryMethod) {
   const SequentialLaw law = sequential(1, 9, 1e-3);
-  const Scene scene = oscillator(1.0, 1.0, 0.0);
+  const Problem scene = oscillator(1.0, 1.0, 0.0);
   RandomTaylor::Options options;
   options.seed = seed;
   RandomTaylor controlled(scene.system, law, std::make_unique<FixedStep>(step), options);
@@ -150,7 +150,7 @@ TEST(StoppedSeries, HasTheSameDrawsInViewOfTermsInEveryMethod) {
 TEST(StoppedSeries, GrowsInAUnitInWhichItsCoefficientsAreNumbers) {
   // x'' = -w^2 x: coefficient 20 is w^20 / 20! and beyond a double for w = 1e20 and 1e-20.
   for (const double w : {1e20, 1e-20}) {
-    const Scene scene = oscillator(w, 1.0, 0.0);
+    const Problem scene = oscillator(w, 1.0, 0.0);
     StoppedSeries<Expansion<double>> series(Expansion<double>(scene.system, 20),
                                             Stops(fixed_degree(20), Draw::independent, seed), 0);
     series.start(scene.start);
@@ -168,7 +168,7 @@ TEST(StoppedSeries, GrowsInAUnitInWhichItsCoefficientsAreNumbers) {
 }
 
 TEST(StoppedSeries, KnowsAllThatItsSumsNeedAndNoMore) {
-  const Scene scene = oscillator(1.0, 1.0, 0.0);
+  const Problem scene = oscillator(1.0, 1.0, 0.0);
   for (const int beyond : {0, 1}) {
     StoppedSeries<Expansion<double>> series(Expansion<double>(scene.system, 9),
                                             Stops(geometric(2, 9, 0.5), Draw::independent, seed), beyond);

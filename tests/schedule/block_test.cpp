@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "jetlag/control/fixed_step.hpp"
+#include "jetlag/integrators/taylor.hpp"
 #include "jetlag/schedule/lockstep.hpp"
 #include "jetlag/schedule/record.hpp"
 #include "schedule/networks.hpp"
@@ -202,7 +203,7 @@ TEST(BlockSteps, RecordAMotionWithoutJumps) {
 
 TEST(BlockSteps, RecordTheSameMotionHoweverARunIsCut) {
   // A run that goes on between two updates shows its observer the rest of that step first.
-  const Scene scene = stiff_spot_in_a_chain(16, 1e3);
+  const Problem scene = stiff_spot_in_a_chain(16, 1e3);
   State<double> whole = scene.start, cut = scene.start;
   BlockSteps at_once(scene.system, 10, steps(1e-11, 0.25)), in_parts(scene.system, 10, steps(1e-11, 0.25));
   Trajectory one, parts;
