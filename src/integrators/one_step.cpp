@@ -38,7 +38,7 @@ double OneStep::step(State<double>& state, double limit, Report& report) {
 
   ++work_.steps;
   work_.updates += moving_;
-  work_.coefficients = accelerations_.coefficients() * moving_;
+  work_.coefficients = coefficients() * moving_;
   work_.element_coefficients = accelerations_.element_coefficients() + other_element_coefficients_;
   work_.degrees += static_cast<std::uint64_t>(order_) * moving_;
   return h;

@@ -22,6 +22,10 @@ class OneStep : public Integrator {
   /// Returns the length, or 0 with a report.
   virtual double advance(const State<double>& from, double limit, State<double>& to, Report& report) = 0;
 
+  /// Coefficients of the positions of a particle computed so far: those of the accelerations, unless the method says
+  /// otherwise.
+  virtual std::uint64_t coefficients() const { return accelerations_.coefficients(); }
+
   /// `step` or what is left of it; 0 with a report where it does not change the time.
   double fixed_length(const State<double>& from, double step, double limit, Report& report);
 

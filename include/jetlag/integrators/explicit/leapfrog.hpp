@@ -20,6 +20,7 @@ class Leapfrog final : public OneStep {
 
  private:
   double advance(const State<double>& from, double limit, State<double>& to, Report& report) override;
+  std::uint64_t coefficients() const override { return work_.steps; }  // one a step
 
   double step_;
   Coordinates<double> a_before_, a_after_;  // of the last step
