@@ -9,7 +9,7 @@
 
 #include "jetlag/base/step_length.hpp"
 #include "jetlag/base/text.hpp"
-#include "schedule/local_motion.hpp"
+#include "schedule/local/local_motion.hpp"
 
 namespace jetlag {
 

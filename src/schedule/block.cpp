@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "jetlag/base/step_length.hpp"
-#include "schedule/local_motion.hpp"
+#include "schedule/local/local_motion.hpp"
 
 namespace jetlag {
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <sstream>
 
-#include "schedule/local_motion.hpp"
+#include "schedule/local/local_motion.hpp"
 
 namespace jetlag {
 

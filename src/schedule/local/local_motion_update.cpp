@@ -6,8 +6,8 @@
 
 #include "jetlag/base/text.hpp"
 #include "jetlag/integrators/integrator.hpp"
-#include "schedule/local_motion.hpp"
-#include "schedule/stopped_sum.hpp"
+#include "schedule/local/local_motion.hpp"
+#include "schedule/local/stopped_sum.hpp"
 
 namespace jetlag {
 

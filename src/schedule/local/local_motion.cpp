@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "schedule/local_motion.hpp"
+#include "schedule/local/local_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "jetlag/control/courant.hpp"
 #include "jetlag/integrators/integrator.hpp"
 #include "jetlag/series/calculus/polynomial.hpp"
-#include "schedule/stopped_sum.hpp"
+#include "schedule/local/stopped_sum.hpp"
 
 namespace jetlag {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "schedule/local_motion.hpp"
+#include "schedule/local/local_motion.hpp"
 
 namespace jetlag {
 
