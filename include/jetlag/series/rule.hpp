@@ -17,6 +17,9 @@
 //
 // The same rule serves a Jet (a loop over k), a node of a tape (one more k each time the scene grows
 // by one order) and a block of SIMD lanes: u[j] is a number of any type with + - * /.
+//
+// Who applies rules to a kind of number writes the function templates lift<Rule, Number>(u...) and lift_coupled beside it,
+// and argument-dependent look-up finds them: jets (series/lift.hpp) and recorded numbers (tape/recording.hpp).
 
 #include <array>
 #include <concepts>
