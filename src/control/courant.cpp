@@ -44,18 +44,30 @@ double frequency_bound(const Model<double>& model) {
   return bounds.empty() ? 0.0 : *std::ranges::max_element(bounds);
 }
 
-std::string unbounded_force(const Model<double>& model) {
+namespace {
+
+/// The first law that acts on positions, has no stiffness, and of which `which` is true; null if there is none.
+template <class F>
+const RecordedLaw* first_without_stiffness(const Model<double>& model, F which) {
   for (const auto& law : model.laws()) {
     const RecordedLaw& recorded = law->elements().law;
-    if (law->count() > 0 && recorded.stiffness == nullptr && reads(recorded, Input::Kind::position))
-      return recorded.name;
+    if (law->count() > 0 && recorded.stiffness == nullptr && reads(recorded, Input::Kind::position) &&
+        which(recorded))
+      return &recorded;
   }
-  return {};
+  return nullptr;
+}
+
+}  // namespace
+
+std::string unbounded_force(const Model<double>& model) {
+  const RecordedLaw* law = first_without_stiffness(model, [](const auto&) { return true; });
+  return law == nullptr ? "" : law->name;
 }
 
 void require_bounded(const Model<double>& model) {
-  if (const std::string force = unbounded_force(model); !force.empty())
-    throw std::invalid_argument("courant: no stiffness is known of " + force +
+  if (const auto* law = first_without_stiffness(model, [](const auto& of) { return !of.unbounded; }))
+    throw std::invalid_argument("courant: no stiffness is known of " + law->name +
                                 ", so that nothing bounds the step; leave courant out");
 }
 

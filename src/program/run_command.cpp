@@ -26,11 +26,8 @@ void print_result(const Summary& summary, const std::filesystem::path& folder) {
     std::printf("  energy   %.10g J -> %.10g J, largest relative change %.3g\n",
                 summary.initial_energy.total(), summary.final_energy.total(),
                 summary.max_relative_energy_error);
-  for (const char* name :
-       {"summary.json", "scene.json", "energy.csv", "energy.svg", "clocks.csv", "clocks.svg", "film.png"})
-    if (std::filesystem::exists(folder / name))
-      std::printf("  %-12s %s\n", "", (folder / name).string().c_str());
-  std::printf("  %-12s %s   (ParaView)\n", "", (folder / "frames" / "run.pvd").string().c_str());
+  for (const auto& file : first_files_of_run(folder))
+    std::printf("  %-12s %s%s\n", "", file.c_str(), file.extension() == ".pvd" ? "   (ParaView)" : "");
 }
 
 int run(const RunArguments& arguments) {

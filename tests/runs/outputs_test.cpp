@@ -11,6 +11,7 @@
 namespace jetlag::testing {
 namespace {
 
+using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::IsSubsetOf;
@@ -123,12 +124,14 @@ TEST(Outputs, KnowAllTheirFiles) {
 
 TEST(Outputs, AreNamedByTheProgram) {
   const TemporaryFolder folder;
-  const Ended run =
-      program("run chain --set until=0.2 --set output={\\\"pictures\\\":false} --out out", folder.path());
+  const Ended run = program(
+      "run chain --set until=0.2 --set output={\\\"pictures\\\":false,\\\"clocks\\\":true} --out out",
+      folder.path());
   EXPECT_EQ(run.exit_code, 0) << run.output;
   const auto files = first_files_of_run(folder / "out");
   ASSERT_THAT(files, Not(IsEmpty()));
   EXPECT_EQ(files.front(), folder / "out/summary.json");
+  EXPECT_THAT(files, Contains(folder / "out/clocks.csv"));
   for (const auto& file : files)
     EXPECT_THAT(run.output, HasSubstr(fs::relative(file, folder.path()).string())) << file;
 }

@@ -284,11 +284,6 @@ const BadScene bad_methods[] = {
      R"({"until": 1, "dimension": 1, "particles": {"position": [[0]]}, "integrator": {"type": "leapfrog"},
          "control": {"type": "fixed", "step": 1, "courant": 0.5}})",
      "control.courant", "stiffness"},
-    {"CourantWithoutABound", "",
-     R"({"until": 1, "particles": {"position": [[0, 0, 0], [1, 0, 0]]},
-         "forces": [{"type": "spring", "pairs": [[0, 1]], "stiffness": 1, "rest_length": 1}, {"type": "gravity"}],
-         "integrator": {"type": "leapfrog"}, "control": {"type": "fixed", "step": 1, "courant": 0.5}})",
-     "control.courant", "no stiffness is known of gravity"},
 };
 
 INSTANTIATE_TEST_SUITE_P(Methods, BadSceneTest, ::testing::ValuesIn(bad_methods),

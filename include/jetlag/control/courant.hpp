@@ -23,12 +23,13 @@ double frequency_bound(const Model<double>& model);
 /// Shape (particles).
 std::vector<double> frequency_bounds(const Model<double>& model);
 
-/// Throws std::invalid_argument naming a force that acts on positions and has no stiffness: then no fraction of
-/// frequency_bound is a safe step.
-void require_bounded(const Model<double>& model);
-
-/// The first such force of a system; empty if there is none.
+/// The name of the first force that acts on positions and has no stiffness: frequency_bound goes without it. Empty if there
+/// is none.
 std::string unbounded_force(const Model<double>& model);
+
+/// Throws std::invalid_argument naming such a force, unless it says itself that it is `unbounded`, as gravity does: then no
+/// fraction of frequency_bound is known to be a safe step.
+void require_bounded(const Model<double>& model);
 
 /// The rate c / m [1/s] at which laws with a damping c slow every particle that is not fixed, if it is the same for all of
 /// them: then each oscillation is q'' = -omega^2 q - (c/m) q'. Otherwise 0, on the safe side.

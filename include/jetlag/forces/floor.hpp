@@ -75,9 +75,10 @@ struct Floor : detail::HalfSpace<1> {
 };
 
 /// F = k s^2 n,   E = k s^3 / 3;   stiffness k [N/m^2], the others as in Floor. The force has a continuous slope: a step
-/// across the surface misses k (v h)^3 / 3 of energy. Its stiffness 2 k s grows with the depth: `courant` has no bound.
+/// across the surface misses k (v h)^3 / 3 of energy. Its stiffness 2 k s grows with the depth: `courant` limits go without it.
 struct QuadraticFloor : detail::HalfSpace<2> {
   static constexpr const char* name = "quadratic_floor";
+  static constexpr bool unbounded = true;
 };
 
 extern template RecordedLaw record_law<Floor>(int);  // recorded in src/forces

@@ -29,6 +29,7 @@
 //
 //     static double stiffness(double k, double);            // k [N/m], of the parameters: for the Courant limit
 //     static double damping(double c);                      // c [kg/s], of the parameters: for the Courant limit
+//     static constexpr bool unbounded = true;               // there is no stiffness: Courant limits go without the law
 //
 //     template <int D>              // the way to where the force has a kink or jumps [m]
 //     static Vector<double, D> kink(const Positions<D, 2>& x, double stiffness, double rest_length);
@@ -137,6 +138,7 @@ struct RecordedLaw {
   using OfParameters = double (*)(const double* parameters);
   OfParameters stiffness = nullptr;  // [N/m]
   OfParameters damping = nullptr;    // [kg/s]
+  bool unbounded = false;            // says itself that no stiffness bounds it
 
   /// What the law says of its kinks, from the positions of the participants, shape (participants, dimension), and the
   /// parameters; zero from its last component on. Null where it has none.
@@ -219,6 +221,7 @@ void add_bounds(RecordedLaw& law) {
   using Each = std::make_index_sequence<L::parameters.size()>;
   if constexpr (requires(const double* c) { call_stiffness<L>(c, Each{}); })
     law.stiffness = [](const double* c) -> double { return call_stiffness<L>(c, Each{}); };
+  if constexpr (requires { L::unbounded; }) law.unbounded = L::unbounded;
   if constexpr (requires(const double* c) { call_damping<L>(c, Each{}); }) {
     static_assert(L::participants == 1, "only a law of one participant has a damping");
     law.damping = [](const double* c) -> double { return call_damping<L>(c, Each{}); };

@@ -8,12 +8,13 @@ namespace jetlag {
 
 /// F_0 = G m_0 m_1 d / |d|^3,   d = x_1 - x_0;   E = -G m_0 m_1 / |d|.         Source: Newton.
 /// constant G [m^3 / (kg s^2)].   Range: d != 0. There the force is not finite.
-/// Its stiffness 2 G m_0 m_1 / |d|^3 grows as they come together: `courant` has no bound.
+/// Its stiffness 2 G m_0 m_1 / |d|^3 grows as they come together: `courant` limits go without it.
 /// Conserves: momentum, angular momentum, energy.
 struct Gravity {
   static constexpr const char* name = "gravity";
   static constexpr int participants = 2;
   static constexpr std::array parameters{"constant"};
+  static constexpr bool unbounded = true;
 
   template <class T, int D>
   static Vector<T, D> force(const Participants<T, D, 2>& p, const T& constant) {

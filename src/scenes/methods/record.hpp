@@ -4,7 +4,7 @@
 // it is made from a scene. Nothing else need be said of it: the reader checks scenes by it, `jetlag methods` prints it,
 // tests hold it to it, and studies run it.
 //
-// To add one, write its record in a file of this folder (leapfrog.cpp is the shortest) and name it in register.cpp.
+// To add one, write its record in a file of this folder (symplectic_euler.cpp is a short one) and name it in register.cpp.
 //
 // Pairs of a header and a symbol are read by .cmake/method_docs.cmake too, from every file of this folder: write both
 // as plain text, as they are there. The page then has the comments of the header as the code has them.
