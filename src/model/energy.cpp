@@ -21,6 +21,7 @@ EnergyMeter::EnergyMeter(const Model<double>& model) : model_(model) {
 }
 
 void EnergyMeter::move_to(const Model<double>& model) {
+  model.require_epoch_of(model_);
   const Model<double> before = std::exchange(model_, model);
   for (std::size_t l = 0; l < potentials_.size(); ++l)
     if (before.laws()[l] != model.laws()[l]) potentials_[l] = potential_of(model.law(l));

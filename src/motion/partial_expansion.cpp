@@ -73,14 +73,19 @@ PartialExpansion::PartialExpansion(const Model<double>& model, int order)
     : model_(model), order_(std::max(order, 2)), stride_(padded(model.dimension())) {
   for (const auto& law : model.laws())
     laws_.push_back(ElementBlocks<double>::none_of(law->forces(), order_ - 1));
-  move_to(model);
+  find_velocities();
 }
 
 void PartialExpansion::move_to(const Model<double>& model) {
+  model.require_epoch_of(model_);
   model_ = model;
+  find_velocities();
+}
+
+void PartialExpansion::find_velocities() {
   reads_velocity_ = false;
   for (std::size_t law = 0; law < laws_.size(); ++law)
-    if (model.law(law).count() > 0) reads_velocity_ = reads_velocity_ || laws_[law].reads_velocity();
+    if (model_.law(law).count() > 0) reads_velocity_ = reads_velocity_ || laws_[law].reads_velocity();
 }
 
 /// The elements of a law that touch an active particle, ascending. Known particles are given their places.

@@ -11,7 +11,10 @@
 namespace jetlag {
 
 Command study_command() {
-  return {"study", "make a table from many runs; `study --help` lists which", {}, {}};
+  return {"study", "make a table from many runs; `study --help` lists which", {}, [] {
+            char* none[] = {nullptr};
+            return become_study(none);
+          }};
 }
 
 int become_study(char** arguments) {

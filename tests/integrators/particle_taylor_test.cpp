@@ -200,6 +200,16 @@ TEST(ParticleTaylor, SaysWhichParticleIsAtASingularPoint) {
   EXPECT_EQ(state.position, before.position);
 }
 
+TEST(ParticleTaylor, GoesOnFromWhereItFailedBySoManyOrdersAsAreKnown) {
+  // A step of 2^-10 s does not change the time 2^60 s, nothing is grown for it: the series has orders 0 and 1.
+  ParticleTaylor<long double> method(sun_and_planet<long double>(), {.step = 0x1p-10});
+  State<long double> state = at_perihelion<long double>();
+  state.time = 0x1p60L;
+  EXPECT_EQ(method.run(state, 0x1p61L).outcome, Outcome::step_underflow);
+  EXPECT_EQ(method.at(0x1p60L).position, state.position);
+  EXPECT_EQ(method.at(0x1p60L).velocity, state.velocity);
+}
+
 TEST(ParticleTaylor, RefusesWhatItCannotDo) {
   const auto system = sun_and_planet<double>();
   EXPECT_THROW(ParticleTaylor<>(system, {.degree = 1}), std::invalid_argument);

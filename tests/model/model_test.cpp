@@ -152,6 +152,15 @@ TEST(Model, MayGrowToALargeSceneAndBack) {  // of two chunks of 2048 springs at 
   expect_same_series(moved, made_small, row.start);
 }
 
+TEST(Model, IsNoEpochOfAnother) {
+  const Row row(12);
+  const Model<double> one = row.system(1, 12), other = row.system(1, 12);
+  const auto refused = ThrowsMessage<std::invalid_argument>(HasSubstr("another epoch of the same model"));
+  EXPECT_THAT([&] { Expansion<double>(one).move_to(other); }, refused);
+  EXPECT_THAT([&] { PartialExpansion(one, 6).move_to(other); }, refused);
+  EXPECT_THAT([&] { EnergyMeter(one).move_to(other); }, refused);
+}
+
 TEST(Model, SharesWhatStays) {
   const Row row(10);
   const Model<double> first = row.system(1, 10), copy = first, next = row.with_springs(first, 2);

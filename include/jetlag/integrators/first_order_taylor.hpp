@@ -145,7 +145,7 @@ T FirstOrderTaylor<T>::increment(std::size_t i, const T& h) const {
   const std::vector<T>& c = series()[static_cast<int>(i)];
   const T* w = this->series_.weights();
   const T s = h / series().time_unit();
-  const int top = this->series_.stops().degree();
+  const int top = this->series_.top();
   if (top == 0) return T(0);
   T horner = w[top] * c[top];
   for (int k = top - 1; k >= 1; --k) horner = horner * s + w[k] * c[k];

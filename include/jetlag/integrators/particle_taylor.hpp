@@ -89,7 +89,7 @@ template <class T>
 void ParticleTaylor<T>::sum(const State<T>& from, const T& h, State<T>& to) const {
   const T s = h / series().time_unit();
   const T* w = this->series_.weights();
-  const int top = this->series_.stops().degree();
+  const int top = this->series_.top();
   const auto rest = [](const Coordinates<T>& rests, Eigen::Index i) {
     return rests.size() == 0 ? T(0) : rests.data()[i];
   };

@@ -26,7 +26,7 @@ namespace jetlag {
 /// Coefficients in powers of (t - time) / time_unit, grown order by order. norm(k): the size of coefficient k, not finite
 /// where one of its components is not.
 template <class S>
-concept GrowingSeries = requires(S s, const S c, int k, typename S::Number t) {
+concept StoppableSeries = requires(S s, const S c, int k, typename S::Number t) {
   s.grow_to(k);
   s.restart(t);
   { c.order() } -> std::convertible_to<int>;
@@ -40,7 +40,7 @@ concept GrowingSeries = requires(S s, const S c, int k, typename S::Number t) {
 /// The last coefficient m that is neither tells how fast they grow, as (c_m / c)^(1/m), c the larger one of c_0, c_1. A
 /// series that ends, as that of free fall, looks like one that has underflowed, but its coefficients do not shrink that
 /// fast before the end.
-template <GrowingSeries Series>
+template <StoppableSeries Series>
 double better_unit(const Series& series) {
   const int n = series.order();
   const double unit = static_cast<double>(series.time_unit());
@@ -62,14 +62,16 @@ double better_unit(const Series& series) {
   return std::clamp(std::ldexp(unit, -static_cast<int>(std::lround(growth))), 0x1p-900, 0x1p900);
 }
 
-template <GrowingSeries Series>
+template <StoppableSeries Series>
 class StoppedSeries {
  public:
   using T = typename Series::Number;
 
   /// beyond: orders that must be known beyond the degree, 1 where positions lead velocities of their own series.
   StoppedSeries(Series series, Stops stops, int beyond)
-      : series_(std::move(series)), stops_(std::move(stops)), beyond_(beyond) {}
+      : series_(std::move(series)), stops_(std::move(stops)), beyond_(beyond) {
+    if constexpr (!std::is_same_v<T, double>) weights_.assign(stops_.draws() * stops_.terms(), T(1));
+  }
 
   const Series& series() const { return series_; }
   Series& series() { return series_; }
@@ -88,11 +90,17 @@ class StoppedSeries {
   void grow_to(int order);
 
   void draw(std::uint64_t update) {
-    if (!stops_.wait_for_terms()) stops_.draw(update);
+    if (stops_.wait_for_terms()) return;
+    stops_.draw(update);
+    take_weights();
   }
 
   /// Ends the series of a step of this length, with all that its sums need. The update is that of `draw`.
   void stop(const T& h, std::uint64_t update);
+
+  /// The last term of a sum: the degree that all share, or where a step has failed before the series was grown to it the
+  /// last one that is known.
+  int top() const { return std::min(stops_.degree(), series_.order() - beyond_); }
 
   /// Weights of the terms up to the degree of a draw.
   const T* weights(std::size_t draw = 0) const {
@@ -103,6 +111,8 @@ class StoppedSeries {
   }
 
  private:
+  void take_weights();
+
   Series series_;
   Stops stops_;
   int beyond_;
@@ -110,7 +120,7 @@ class StoppedSeries {
   std::vector<T> weights_;  // the same as numbers of this type, [draw][term]
 };
 
-template <GrowingSeries Series>
+template <StoppableSeries Series>
 void StoppedSeries<Series>::grow_to(int order) {
   const int wanted = std::max(order, 1);  // a unit is seen from two coefficients
   if (wanted <= series_.order()) return;
@@ -124,7 +134,7 @@ void StoppedSeries<Series>::grow_to(int order) {
   series_.grow_to(wanted);
 }
 
-template <GrowingSeries Series>
+template <StoppableSeries Series>
 void StoppedSeries<Series>::stop(const T& h, std::uint64_t update) {
   using std::abs;
   if (stops_.wait_for_terms()) {
@@ -138,11 +148,15 @@ void StoppedSeries<Series>::stop(const T& h, std::uint64_t update) {
       return norm() * std::pow(static_cast<double>(abs(h)) / static_cast<double>(series_.time_unit()), n);
     };
     stops_.draw_in_view(update, size, [&](int degree) { grow_to(degree + beyond_); });
+    take_weights();
   } else if (stops_.largest_degree() + beyond_ > series_.order()) {
     grow_to(stops_.largest_degree() + beyond_);
   }
+}
+
+template <StoppableSeries Series>
+void StoppedSeries<Series>::take_weights() {
   if constexpr (!std::is_same_v<T, double>) {
-    weights_.resize(stops_.draws() * stops_.terms());
     for (std::size_t draw = 0; draw < stops_.draws(); ++draw)
       for (int n = 0; n <= stops_.degree(draw); ++n)
         weights_[draw * stops_.terms() + n] = T(stops_.weights(draw)[n]);

@@ -85,6 +85,13 @@ class Model {
   /// Throws std::invalid_argument as System::add, and for a law that the model does not have.
   Model with(std::size_t law, std::vector<int> particles, std::vector<T> parameters) const;
 
+  /// Throws std::invalid_argument unless both are epochs of one model: nobody can move on to another.
+  void require_epoch_of(const Model& other) const {
+    if (parts_->mass != other.parts_->mass || laws().size() != other.laws().size())
+      throw std::invalid_argument(
+          "Model: one can only move on to another epoch of the same model, see Model::with");
+  }
+
   /// 0 of a model that was made of a system, one more for each set of elements since.
   std::uint64_t epoch() const { return parts_->epoch; }
 

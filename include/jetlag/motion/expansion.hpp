@@ -185,6 +185,7 @@ void Expansion<T>::take(const typename Model<T>::Law& law, ElementBlocks<T>& blo
 
 template <class T>
 void Expansion<T>::move_to(const Model<T>& model) {
+  model.require_epoch_of(model_);
   const Model<T> before = std::exchange(model_, model);
   for (std::size_t l = 0; l < laws_.size(); ++l)
     if (before.laws()[l] != model.laws()[l]) take(model.law(l), laws_[l]);

@@ -59,10 +59,11 @@ class PartialExpansion {
   std::uint64_t element_coefficients() const { return element_coefficients_; }
 
  private:
+  void find_velocities();
   std::vector<int> touched_elements(std::size_t law, std::vector<int>& places);
   void sort(std::vector<int>& numbers, std::size_t end);
   MotionRows<double> motion(int k, double time) {
-    return {x_.data() + k * rows_ * stride_, v_.empty() ? nullptr : v_.data() + k * rows_ * stride_,
+    return {x_.data() + k * rows_ * stride_, !reads_velocity_ ? nullptr : v_.data() + k * rows_ * stride_,
             rows_ * stride_, time, 1.0};
   }
   void push(std::size_t law, int k, int orders, double time);

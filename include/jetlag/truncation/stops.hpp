@@ -21,7 +21,7 @@ namespace jetlag {
 
 class Stops {
  public:
-  /// One draw for all series of an update. Throws std::invalid_argument for draws that do not go with the law, see Draws.
+  /// One draw for all series of an update; particles with clocks of their own ask for `drawn`. Throws std::invalid_argument for draws that do not go with the law, see Draws.
   Stops(const Truncation& law, Draw draws, std::uint64_t seed);
   /// One draw for each particle that is not fixed: shape (particles). A fixed particle ends at the least degree. Where the
   /// degree is fixed nothing is drawn, and all share it.
