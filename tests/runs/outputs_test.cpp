@@ -125,7 +125,7 @@ TEST(Outputs, KnowAllTheirFiles) {
 TEST(Outputs, AreNamedByTheProgram) {
   const TemporaryFolder folder;
   const Ended run =
-      program("run chain --set until=0.2 --set output={\\\"pictures\\\":false,\\\"clocks\\\":true} --out out",
+      program("run chain --set until=0.2 --set output.pictures=false --set output.clocks=true --out out",
               folder.path());
   EXPECT_EQ(run.exit_code, 0) << run.output;
   const auto files = first_files_of_run(folder / "out");

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// How an expansion grows: the definitions of expansion.hpp, which includes them.
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "jetlag/motion/expansion.hpp"
+
+namespace jetlag {
+
+template <class T>
+Expansion<T>::Expansion(const Model<T>& model, int expected_degree, const KernelTable<T>& table,
+                        Workers workers)
+    : model_(model),
+      table_(&table),
+      particles_(model.particles()),
+      dimension_(model.dimension()),
+      stride_(padded(dimension_)),
+      workers_(std::move(workers)) {
+  for (int i = 0; i < particles_; ++i)
+    inverse_mass_.insert(inverse_mass_.end(), stride_, model.inverse_mass(i));
+  for (const auto& law : model.laws()) {
+    laws_.push_back(ElementBlocks<T>::none_of(law->forces(), 0));
+    take(*law, laws_.back());
+  }
+  arrange();
+  reserve(std::max(expected_degree, 2));
+}
+
+template <class T>
+void Expansion<T>::take(const typename Model<T>::Law& law, ElementBlocks<T>& blocks) {
+  blocks.take(law.forces(), law.elements().particles, model_.running_order(law), *table_, std::identity(),
+              std::identity());
+}
+
+template <class T>
+void Expansion<T>::move_to(const Model<T>& model) {
+  model.require_epoch_of(model_);
+  const Model<T> before = std::exchange(model_, model);
+  for (std::size_t l = 0; l < laws_.size(); ++l)
+    if (before.laws()[l] != model.laws()[l]) take(model.law(l), laws_[l]);
+  arrange();
+  order_ = 1;
+}
+
+template <class T>
+void Expansion<T>::start(const State<T>& state, const T& time_unit) {
+  require_shape(state, particles_, dimension_);
+  for (int i = 0; i < particles_; ++i)
+    if (inverse_mass_[i * stride_] == T(0) && !(state.velocity.row(i).array() == T(0)).all())
+      throw std::invalid_argument("Expansion: particle " + std::to_string(i) +
+                                  " is fixed and must be at rest");
+  time_ = state.time;
+  for (int i = 0; i < particles_; ++i)
+    for (int c = 0; c < dimension_; ++c) {
+      at(x_, 0)[i * stride_ + c] = state.position(i, c);
+      at(v_, 0)[i * stride_ + c] = state.velocity(i, c);
+    }
+  rest_.assign(state.position_rest.size() == 0 ? 0 : row_size(), T(0));
+  if (!rest_.empty())
+    for (int i = 0; i < particles_; ++i)
+      for (int c = 0; c < dimension_; ++c) rest_[i * stride_ + c] = state.position_rest(i, c);
+  restart(time_unit);
+}
+
+template <class T>
+void Expansion<T>::restart(const T& time_unit) {
+  using std::isfinite;
+  if (!(time_unit > T(0)) || !isfinite(time_unit))
+    throw std::invalid_argument("Expansion: the unit of time must be > 0 and finite");
+  time_unit_ = time_unit;
+  push_.resize(inverse_mass_.size());
+  for (std::size_t i = 0; i < push_.size(); ++i) push_[i] = inverse_mass_[i] * time_unit;
+  const T* v = at(v_, 0);
+  T* x = at(x_, 1);
+  for (std::size_t i = 0; i < row_size(); ++i) x[i] = v[i] * time_unit;
+  order_ = 1;
+}
+
+template <class T>
+void Expansion<T>::grow_to(int order) {
+  if (order > capacity_) reserve(std::max(2 * capacity_, order));
+  if (wavefront_) return sweep_to(order);
+  while (order_ < order) grow_by(order_ + 1 < order ? 2 : 1);
+}
+
+template <class T>
+void Expansion<T>::position_sum(int first, int last, const T* w, const T& s, Coordinates<T>& into) const {
+  sum(x_, first, last, w, s, into);
+}
+
+template <class T>
+void Expansion<T>::velocity_sum(int first, int last, const T* w, const T& s, Coordinates<T>& into) const {
+  sum(v_, first, last, w, s, into);
+}
+
+template <class T>
+void Expansion<T>::curve(int last, const T& s, std::vector<T>& into) const {
+  using std::abs;
+  constexpr std::size_t width = 8;
+  into.assign(particles_, T(0));
+  const std::size_t rows = row_size();
+  const int log_stride = std::bit_width(static_cast<unsigned>(stride_)) - 1;
+  std::array<T, width> total;
+  for (std::size_t begin = 0; begin < rows; begin += width) {
+    const std::size_t size = std::min(width, rows - begin);
+    total.fill(T(0));
+    for (int n = last; n >= 2; --n) {
+      const T* c = x_.data() + n * rows + begin;
+      if (size == width)
+        for (std::size_t i = 0; i < width; ++i) total[i] = (total[i] + abs(c[i])) * s;
+      else
+        for (std::size_t i = 0; i < size; ++i) total[i] = (total[i] + abs(c[i])) * s;
+    }
+    for (std::size_t i = 0; i < size; ++i) into[(begin + i) >> log_stride] += total[i] * s;
+  }
+}
+
+template <class T>
+std::size_t Expansion<T>::bytes() const {
+  std::size_t total = sizeof(T) * (x_.size() + v_.size() + 2 * inverse_mass_.size());
+  for (const auto& blocks : laws_) total += blocks.bytes();
+  return total;
+}
+
+template <class T>
+CoefficientView<T> Expansion<T>::view(const AlignedVector<T>& series, int k) const {
+  assert(0 <= k && k <= order_);
+  return {series.data() + k * row_size(), particles_, dimension_, Eigen::OuterStride<>(stride_)};
+}
+
+template <class T>
+T Expansion<T>::norm(const AlignedVector<T>& series, int k) const {
+  using std::abs;
+  assert(0 <= k && k <= order_);
+  const T* c = series.data() + k * row_size();
+  T most(0), zero(0);
+  for (std::size_t i = 0; i < row_size(); ++i) {
+    const T size = abs(c[i]);
+    most = most < size ? size : most;
+    zero = zero + size * T(0);
+  }
+  return most + zero;
+}
+
+template <class T>
+void Expansion<T>::sum(const AlignedVector<T>& series, int first, int last, const T* w, const T& s,
+                       Coordinates<T>& into) const {
+  constexpr std::size_t width = 8;
+  into.resize(particles_, dimension_);
+  const std::size_t rows = row_size();
+  const int log_stride = std::bit_width(static_cast<unsigned>(stride_)) - 1;  // 1, 2 or 4
+  std::array<T, width> total;
+  for (std::size_t begin = 0; begin < rows; begin += width) {
+    const std::size_t size = std::min(width, rows - begin);
+    total.fill(T(0));
+    for (int n = last; n >= first; --n) {
+      const T *c = series.data() + n * rows + begin, &weight = w[n];
+      if (size == width)
+        for (std::size_t i = 0; i < width; ++i) total[i] = total[i] * s + weight * c[i];
+      else
+        for (std::size_t i = 0; i < size; ++i) total[i] = total[i] * s + weight * c[i];
+    }
+    for (std::size_t i = 0; i < size; ++i)
+      if (const std::size_t component = i & (stride_ - 1); component < static_cast<std::size_t>(dimension_))
+        into.data()[((begin + i) >> log_stride) * dimension_ + component] = total[i];
+  }
+}
+
+template <class T>
+void Expansion<T>::count(const std::vector<ElementBlocks<T>*>& laws, int k, int orders) {
+  for (const auto* blocks : laws) element_coefficients_ += blocks->count() * blocks->running(k, orders);
+}
+
+template <class T>
+void Expansion<T>::accelerate(std::size_t first, std::size_t last, int k) {
+  jetlag::accelerate(last - first, k, time_unit_, push_.data() + first, at(x_, k + 2) + first,
+                     at(v_, k + 1) + first);
+}
+
+template <class T>
+void Expansion<T>::grow_by(int orders) {
+  const int k = order_ - 1;
+  std::fill_n(at(x_, k + 2), orders * row_size(), T(0));
+  for (auto* blocks : without_velocity_)
+    if (blocks->running(k, orders) > 0) blocks->push(0, k, orders, motion(k), at(x_, k + 2));
+  for (int n = k; n < k + orders; ++n) {
+    for (auto* blocks : with_velocity_)
+      if (blocks->running(n, 1) > 0) blocks->push(0, n, 1, motion(n), at(x_, n + 2));
+    accelerate(0, row_size(), n);
+  }
+  count(without_velocity_, k, orders);
+  count(with_velocity_, k, orders);
+  order_ += orders;
+}
+
+template <class T>
+void Expansion<T>::arrange() {
+  without_velocity_.clear();
+  with_velocity_.clear();
+  chunks_.clear();
+  bool large = false;
+  for (auto& blocks : laws_) {
+    if (blocks.count() == 0) continue;
+    (blocks.reads_velocity() ? with_velocity_ : without_velocity_).push_back(&blocks);
+    large = large || blocks.chunks() > 1;
+  }
+  if (large) return push_apart();
+  if (!wavefront_) return;
+  for (auto& blocks : laws_) blocks.push_together();
+  wavefront_.reset();
+}
+
+template <class T>
+void Expansion<T>::push_apart() {
+  std::vector<std::pair<Chunk, std::vector<int>>> all;
+  for (auto* laws : {&without_velocity_, &with_velocity_})
+    for (auto* blocks : *laws) {
+      auto touched = blocks->push_apart(particles_);
+      for (std::size_t c = 0; c < touched.size(); ++c)
+        all.push_back({{blocks, c, {}}, std::move(touched[c])});
+    }
+  std::vector<std::pair<int, std::size_t>> order;  // by the highest particle, then as they came
+  for (std::size_t c = 0; c < all.size(); ++c)
+    order.emplace_back(*std::ranges::max_element(all[c].second), c);
+  std::ranges::sort(order);
+  std::vector<std::size_t> last(particles_, 0), needed;
+  for (std::size_t c = 0; c < all.size(); ++c)
+    for (int particle : all[order[c].second].second) last[particle] = c;
+  for (int i = 0; i < particles_; ++i) all[order[last[i]].second].first.last_of.push_back(i);
+  for (const auto& [highest, c] : order) {
+    std::size_t latest = 0;
+    for (int particle : all[c].second) latest = std::max(latest, last[particle]);
+    needed.push_back(latest);
+    chunks_.push_back(std::move(all[c].first));
+  }
+  wavefront_ = std::make_unique<Wavefront>(std::move(needed));
+}
+
+template <class T>
+void Expansion<T>::sweep_to(int order) {
+  const int step = with_velocity_.empty() ? 2 : 1, first = order_ - 1, orders = order - order_;
+  if (orders <= 0) return;
+  const auto of_pass = [&](std::size_t pass) {
+    const int done = static_cast<int>(pass) * step;
+    return std::pair(first + done, std::min(step, orders - done));
+  };
+  (*wavefront_)((orders + step - 1) / step, workers_,
+                [&](std::size_t c, std::size_t pass) {
+                  const auto [k, n] = of_pass(pass);
+                  if (chunks_[c].blocks->running(k, n) > 0)
+                    chunks_[c].blocks->push(chunks_[c].number, k, n, motion(k), nullptr);
+                },
+                [&](std::size_t c, std::size_t pass) {
+                  const auto [k, n] = of_pass(pass);
+                  for (int particle : chunks_[c].last_of) complete(particle, k, n);
+                });
+  count(without_velocity_, first, orders);
+  count(with_velocity_, first, orders);
+  order_ = order;
+}
+
+template <class T>
+void Expansion<T>::complete(int particle, int k, int orders) {
+  const std::size_t row = static_cast<std::size_t>(particle) * stride_;
+  for (int n = k; n < k + orders; ++n) std::fill_n(at(x_, n + 2) + row, stride_, T(0));
+  for (const auto* laws : {&without_velocity_, &with_velocity_})
+    for (const auto* blocks : *laws) blocks->collect(particle, k, orders, at(x_, k + 2), row_size());
+  for (int n = k; n < k + orders; ++n) accelerate(row, row + stride_, n);
+}
+
+template <class T>
+void Expansion<T>::reserve(int degree) {
+  capacity_ = degree;
+  x_.resize((degree + 1) * row_size(), T(0));
+  v_.resize((degree + 1) * row_size(), T(0));
+  for (auto& blocks : laws_) blocks.reserve(degree - 1);  // x_degree needs order degree - 2 of the forces
+}
+
+}  // namespace jetlag
