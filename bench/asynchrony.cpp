@@ -20,6 +20,7 @@
 #include "jetlag/control/fixed_step.hpp"
 #include "jetlag/control/last_two.hpp"
 #include "jetlag/integrators/explicit/leapfrog.hpp"
+#include "jetlag/integrators/taylor.hpp"
 #include "jetlag/schedule/block.hpp"
 #include "jetlag/schedule/event_queue.hpp"
 #include "jetlag/schedule/lockstep.hpp"
