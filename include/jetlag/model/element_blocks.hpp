@@ -270,7 +270,8 @@ void ElementBlocks<T>::push(std::size_t chunk, int k, int orders, const MotionRo
 }
 
 template <class T>
-void ElementBlocks<T>::collect(int particle, int k, int orders, T* force, std::size_t next_order) const {
+inline void ElementBlocks<T>::collect(int particle, int k, int orders, T* force,
+                                      std::size_t next_order) const {
   const int stride = padded(dimension_);
   for (int n = 0; n < running(k, orders); ++n) {
     const T* pushed = pushed_.data() + n * (pushed_.size() / 2);

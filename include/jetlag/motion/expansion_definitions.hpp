@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// How an expansion grows: the definitions of expansion.hpp, which includes them.
+// How an expansion grows: the definitions of expansion.hpp, which includes them. What runs for every particle is inline.
 
 #include <algorithm>
 #include <bit>
@@ -180,7 +180,7 @@ void Expansion<T>::count(const std::vector<ElementBlocks<T>*>& laws, int k, int 
 }
 
 template <class T>
-void Expansion<T>::accelerate(std::size_t first, std::size_t last, int k) {
+inline void Expansion<T>::accelerate(std::size_t first, std::size_t last, int k) {
   jetlag::accelerate(last - first, k, time_unit_, push_.data() + first, at(x_, k + 2) + first,
                      at(v_, k + 1) + first);
 }
@@ -268,7 +268,7 @@ void Expansion<T>::sweep_to(int order) {
 }
 
 template <class T>
-void Expansion<T>::complete(int particle, int k, int orders) {
+inline void Expansion<T>::complete(int particle, int k, int orders) {
   const std::size_t row = static_cast<std::size_t>(particle) * stride_;
   for (int n = k; n < k + orders; ++n) std::fill_n(at(x_, n + 2) + row, stride_, T(0));
   for (const auto* laws : {&without_velocity_, &with_velocity_})
