@@ -1,6 +1,6 @@
 # Compiles the sources of a target a few at a time: they share headers, which is where the time goes.
 # A batch holds neighbours in one room (folder of `root`), about `size` bytes of them: so few that a file that is touched
-# is compiled again within ten seconds, together with its batch. With -D JETLAG_UNITY=OFF each file goes alone.
+# is compiled again soon, together with its batch. With -D JETLAG_UNITY=OFF each file goes alone.
 option(JETLAG_UNITY "Compile sources a few at a time" ON)
 
 function(jetlag_unity target root size)
