@@ -27,7 +27,9 @@ bool Accelerations::knows(const State<double>& state) const {
 
 void Accelerations::begin(const State<double>& state) {
   if (knows(state)) return;
-  last_ = {state.time, state.position, state.velocity};
+  last_.time = state.time;
+  last_.position = state.position;
+  last_.velocity = state.velocity;
   series_.start(last_);
 }
 

@@ -99,6 +99,8 @@ class Expansion {
   T* at(AlignedVector<T>& series, int k) { return series.data() + k * row_size(); }
   CoefficientView<T> view(const AlignedVector<T>& series, int k) const;
   T norm(const AlignedVector<T>& series, int k) const;
+  /// Rows of coordinates in padded rows.
+  void pad(const Coordinates<T>& rows, T* to) const;
 
   /// Eight numbers at a time go through all orders.
   void sum(const AlignedVector<T>& series, int first, int last, const T* w, const T& s,

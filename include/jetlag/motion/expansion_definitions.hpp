@@ -58,16 +58,18 @@ void Expansion<T>::start(const State<T>& state, const T& time_unit) {
       throw std::invalid_argument("Expansion: particle " + std::to_string(i) +
                                   " is fixed and must be at rest");
   time_ = state.time;
-  for (int i = 0; i < particles_; ++i)
-    for (int c = 0; c < dimension_; ++c) {
-      at(x_, 0)[i * stride_ + c] = state.position(i, c);
-      at(v_, 0)[i * stride_ + c] = state.velocity(i, c);
-    }
+  pad(state.position, at(x_, 0));
+  pad(state.velocity, at(v_, 0));
   rest_.assign(state.position_rest.size() == 0 ? 0 : row_size(), T(0));
-  if (!rest_.empty())
-    for (int i = 0; i < particles_; ++i)
-      for (int c = 0; c < dimension_; ++c) rest_[i * stride_ + c] = state.position_rest(i, c);
+  if (!rest_.empty()) pad(state.position_rest, rest_.data());
   restart(time_unit);
+}
+
+template <class T>
+void Expansion<T>::pad(const Coordinates<T>& rows, T* to) const {
+  const T* from = rows.data();
+  for (int i = 0; i < particles_; ++i, from += dimension_, to += stride_)
+    for (int c = 0; c < dimension_; ++c) to[c] = from[c];
 }
 
 template <class T>
@@ -75,12 +77,14 @@ void Expansion<T>::restart(const T& time_unit) {
   using std::isfinite;
   if (!(time_unit > T(0)) || !isfinite(time_unit))
     throw std::invalid_argument("Expansion: the unit of time must be > 0 and finite");
-  time_unit_ = time_unit;
-  push_.resize(inverse_mass_.size());
-  for (std::size_t i = 0; i < push_.size(); ++i) push_[i] = inverse_mass_[i] * time_unit;
+  if (push_.empty() || time_unit_ != time_unit) {
+    push_.resize(inverse_mass_.size());
+    for (std::size_t i = 0; i < push_.size(); ++i) push_[i] = inverse_mass_[i] * time_unit;
+  }
+  const T unit = time_unit_ = time_unit;
   const T* v = at(v_, 0);
   T* x = at(x_, 1);
-  for (std::size_t i = 0; i < row_size(); ++i) x[i] = v[i] * time_unit;
+  for (std::size_t i = 0, size = row_size(); i < size; ++i) x[i] = v[i] * unit;
   order_ = 1;
 }
 
