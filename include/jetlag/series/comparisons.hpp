@@ -29,9 +29,9 @@ std::common_type_t<A, B> select(Condition condition, const A& a, const B& b) {
   return b;
 }
 
-// ---- choices by the sign near t = 0 ----------------------------------------------------------------------
+// ---- choices by the sign right after t = 0 ----------------------------------------------------------------------
 
-/// |u|.   Range: u does not change its sign at t = 0; else the coefficients from the kink on are NaN (sign.hpp).
+/// |u|, at a change of its sign the series of the right half, t >= 0 (sign.hpp).
 template <Series S>
 S abs(const S& u) {
   return lift<Abs, S>(lift<Sign, S>(u), u);
@@ -41,7 +41,7 @@ CheckedJet<T, N> abs(const CheckedJet<T, N>& u) {
   return detail::checked<CheckedJet<T, N>>("abs", [](const auto& x) { return abs(x); }, u);
 }
 
-/// The smaller of u, v near t = 0.   Range: as |u - v|.
+/// The smaller of u, v right after t = 0.
 template <Series S>
 S min(const S& u, const S& v) {
   return lift<BySign, S>(lift<Sign, S>(u - v), u, v);
@@ -60,7 +60,7 @@ S min(const X& c, const S& u) {
   return min(u, S(c));
 }
 
-/// The larger of u, v near t = 0.   Range: as |u - v|.
+/// The larger of u, v right after t = 0.
 template <Series S>
 S max(const S& u, const S& v) {
   return lift<BySign, S>(lift<Sign, S>(u - v), v, u);
