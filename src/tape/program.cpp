@@ -32,6 +32,7 @@ Program::Program(const Tape& tape) : parameters(tape.parameters), is_static(tape
     }
   }
   for (int output : tape.outputs) outputs.push_back(places[output]);
+  for (const auto& [node, at_zero] : tape.conditions) conditions.push_back({places[node], at_zero});
 }
 
 }  // namespace jetlag

@@ -37,6 +37,7 @@ std::vector<bool> Tape::keeps_history() const {
       if (reads[a] == Reads::history || reads[a] == Reads::first) keeps[node.operands[a]] = true;
     if (reads.back() == Reads::history) keeps[i] = true;
   }
+  for (const Condition& condition : conditions) keeps[condition.node] = true;
   const auto ends = ends_at_order_0();
   for (std::size_t i = 0; i < nodes.size(); ++i)
     if (nodes[i].is_static || ends[i]) keeps[i] = false;
@@ -47,6 +48,7 @@ std::vector<bool> Tape::ends_at_order_0() const {
   // From the outputs backwards: a node ends at order 0 when each of its readers reads coefficient 0, or ends itself.
   std::vector<bool> goes_on(nodes.size(), false);
   for (int output : outputs) goes_on[output] = true;
+  for (const Condition& condition : conditions) goes_on[condition.node] = true;
   for (bool changed = true; changed;) {  // more than once only for coupled rules, which read forwards
     changed = false;
     for (std::size_t i = nodes.size(); i-- > 0;) {
@@ -99,12 +101,14 @@ std::string Tape::to_string() const {
     text += "\n";
   }
   for (int output : outputs) text += "output v" + std::to_string(output) + "\n";
+  for (const Condition& condition : conditions) text += "condition v" + std::to_string(condition.node) + "\n";
   return text;
 }
 
 Tape pruned(const Tape& tape) {
   std::vector<bool> needed(tape.nodes.size(), false);
   std::vector<int> open = tape.outputs;
+  for (const Condition& condition : tape.conditions) open.push_back(condition.node);
   while (!open.empty()) {
     const int i = open.back();
     open.pop_back();
@@ -123,6 +127,7 @@ Tape pruned(const Tape& tape) {
   for (Node& node : kept.nodes)
     for (int& operand : node.operands) operand = renamed[operand];
   for (int output : tape.outputs) kept.outputs.push_back(renamed[output]);
+  for (const auto& [node, at_zero] : tape.conditions) kept.conditions.push_back({renamed[node], at_zero});
   return kept;
 }
 

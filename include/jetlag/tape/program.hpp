@@ -59,6 +59,11 @@ struct Program {
   std::vector<Loaded> inputs;             // filled by the caller before each order
   std::vector<Instruction> instructions;  // run at each order
   std::vector<Place> outputs;
+  struct Watched {
+    Place place;  // a history
+    int at_zero;  // see Condition
+  };
+  std::vector<Watched> conditions;
   int histories = 0, statics = 0, scratches = 0;
   int parameters = 0;
   bool is_static;  // the outputs have no series: orders above 0 are zero

@@ -32,10 +32,17 @@ struct Node {
   Input input{};              // input
 };
 
+/// A series whose sign has decided which way a tape goes: where it changes, the tape goes another way.
+struct Condition {
+  int node;
+  int at_zero;  // the sign that a zero is taken for; 0: that of what follows
+};
+
 struct Tape {
   std::vector<Node> nodes;
   std::vector<int> outputs;
-  int parameters = 0;  // number of parameters of one element
+  std::vector<Condition> conditions{};  // those that are watched; see with_conditions
+  int parameters = 0;                   // number of parameters of one element
 
   /// For each node, whether any rule reads coefficients older than the newest.
   std::vector<bool> keeps_history() const;
@@ -50,7 +57,12 @@ struct Tape {
   std::string to_string() const;
 };
 
-/// The tape with only what its outputs need, in the same order.
+/// The tape with only what its outputs and conditions need, in the same order.
 Tape pruned(const Tape& tape);
+
+/// The tape with all conditions that its outputs depend on: u - v of a comparison u < v; u of a sign, and so of |u| and
+/// max(u, v); and the root of a square root, a length or a power, which changes sign where the series goes on and the function
+/// turns back, as in sqrt(t^2). They are computed to all orders.
+Tape with_conditions(Tape tape);
 
 }  // namespace jetlag

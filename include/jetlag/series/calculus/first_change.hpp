@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Where a condition changes: a series whose sign has decided something at s = 0.
+
+#include <optional>
+#include <span>
+
+namespace jetlag {
+
+/// The first s in (0, h] at which c(s) = sum_k c_k s^k has left the side of zero that it was taken to be on, by more than
+/// its rounding: beyond it whoever computes c anew finds it on the other side. Nothing where it stays, or touches zero.
+/// at_zero: the side that was taken where c_0 = 0; 0: the one to which c goes.
+/// Coefficients from the first one on that is not finite, or whose term at h is above 1e250, are left out. Throws std::invalid_argument unless h > 0 and finite.
+template <class T>
+std::optional<T> first_change(std::span<const T> c, int at_zero, const T& h);
+
+extern template std::optional<double> first_change(std::span<const double>, int, const double&);
+
+}  // namespace jetlag
+
+#include "jetlag/series/calculus/first_change_definitions.hpp"

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The definitions of first_change.hpp, which includes them.
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "jetlag/series/calculus/first_change.hpp"
+#include "jetlag/series/calculus/polynomial.hpp"
+#include "jetlag/series/calculus/roots.hpp"
+
+namespace jetlag {
+
+namespace detail {
+
+template <class T>
+int sign_as_number(const T& x) {
+  return (x > T(0)) - (x < T(0));
+}
+
+/// The first s in (low, high] with c(s) on the other side than `side` by more than 4 (N+1) eps sum_k |c_k| s^k, to the last
+/// bits; nothing if none is met. It is sought at distances from `low` that double, from `least` on.
+template <class T>
+std::optional<T> clearly_beyond(std::span<const T> c, int side, const T& low, const T& high, const T& least) {
+  const T eps = std::numeric_limits<T>::epsilon();
+  const auto beyond = [&](const T& s) {
+    using std::abs;
+    T value(0), size(0);
+    for (std::size_t k = c.size(); k-- > 0;) {
+      value = value * s + c[k];
+      size = size * s + abs(c[k]);
+    }
+    return T(-side) * value > T(4.0 * static_cast<double>(c.size())) * eps * size;
+  };
+  T before = low, after = high;
+  for (T width = least; low + width < high; width = width + width) {
+    after = low + width;
+    if (beyond(after)) break;
+    before = after;
+    after = high;
+  }
+  if (!beyond(after)) return std::nullopt;
+  while (after - before > T(2) * eps * after) {
+    const T middle = before + (after - before) / T(2);
+    if (!(before < middle && middle < after)) break;
+    (beyond(middle) ? after : before) = middle;
+  }
+  return after;
+}
+
+}  // namespace detail
+
+template <class T>
+std::optional<T> first_change(std::span<const T> c, int at_zero, const T& h) {
+  using std::abs, std::isfinite;
+  T power(1);
+  std::size_t known = 0;  // with terms that neither overflow nor make sums overflow
+  while (known < c.size() && isfinite(c[known]) && T(abs(c[known]) * power) < T(1e250)) {
+    ++known;
+    power *= h;
+  }
+  c = c.first(known);
+  while (!c.empty() && c.back() == T(0)) c = c.first(c.size() - 1);
+  if (c.empty()) return std::nullopt;
+
+  const T least = h * std::numeric_limits<T>::epsilon();
+  int side = detail::sign_as_number(c[0]);
+  if (side == 0) {
+    const int goes = detail::sign_as_number(
+        *std::ranges::find_if_not(c, [](const T& x) { return x == T(0); }));  // there is one
+    side = at_zero != 0 ? at_zero : goes;
+    if (goes != side) return least;
+  }
+  T rest(0);
+  for (std::size_t k = c.size() - 1; k > 0; --k) rest = (rest + abs(c[k])) * h;
+  if (rest < abs(c[0])) return std::nullopt;
+
+  std::vector<double> rounded(c.size());
+  std::ranges::transform(c, rounded.begin(), [](const T& x) { return static_cast<double>(x); });
+  const std::vector<SignChange> changes = sign_changes(rounded, static_cast<double>(h));
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    if (changes[i].rising != (side < 0)) continue;
+    const T root = T(changes[i].s * (1 - 0x1p-50)), end = i + 1 < changes.size() ? T(changes[i + 1].s) : h;
+    if (const auto s = detail::clearly_beyond(c, side, root, end, T(root * T(0x1p-53)))) return s;
+  }
+  return std::nullopt;
+}
+
+}  // namespace jetlag

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// The conditions of a tape: what its choices depend on, as series.
+
+#include <algorithm>
+#include <array>
+
+#include "jetlag/series/functions.hpp"
+#include "jetlag/tape/tape.hpp"
+
+namespace jetlag {
+
+namespace {
+
+int append(Tape& tape, int rule, bool is_static, std::vector<int> operands) {
+  tape.nodes.push_back(
+      {.kind = Node::Kind::operation, .is_static = is_static, .rule = rule, .operands = std::move(operands)});
+  return static_cast<int>(tape.nodes.size()) - 1;
+}
+
+/// u - v, at least one of which has a series; -(u - v) where `flipped` says so.
+int difference(Tape& tape, int u, int v, bool& flipped) {
+  const auto is_static = [&](int i) { return tape.nodes[i].is_static; };
+  const auto is_zero = [&](int i) {
+    return tape.nodes[i].kind == Node::Kind::constant && tape.nodes[i].value == 0;
+  };
+  flipped = is_static(u);
+  if (flipped) std::swap(u, v);
+  if (is_zero(v)) return u;
+  if (!is_static(v)) return append(tape, rule_id<Subtract>, false, {u, v});
+  return append(tape, rule_id<Offset>, false, {append(tape, rule_id<Negate>, true, {v}), u});
+}
+
+}  // namespace
+
+Tape with_conditions(Tape tape) {
+  const int given = static_cast<int>(tape.nodes.size());
+  const auto add = [&](int node, int at_zero) {
+    const auto known = std::ranges::find_if(tape.conditions, [&](const Condition& condition) {
+      return condition.node == node && condition.at_zero == at_zero;
+    });
+    if (known == tape.conditions.end() && !tape.nodes[node].is_static)
+      tape.conditions.push_back({node, at_zero});
+  };
+  static const std::array roots{rule_id<Sqrt>, rule_id<RootOfScaled>, rule_id<Power>};
+  for (int i = 0; i < given; ++i) {
+    const Node node = tape.nodes[i];
+    if (node.kind != Node::Kind::operation || node.is_static) continue;
+    if (node.rule == rule_id<Less> || node.rule == rule_id<LessOrEqual>) {
+      bool flipped = false;
+      const int margin = difference(tape, node.operands[0], node.operands[1], flipped);
+      // u < v does not hold at zero, as for u > v; u <= v does, as for u < v.
+      const int side = node.rule == rule_id<Less> ? 1 : -1;
+      add(margin, flipped ? -side : side);
+    } else if (node.rule == rule_id<Sign>) {
+      add(node.operands[0], 0);
+    } else if (std::ranges::find(roots, node.rule) != roots.end()) {
+      add(i, 0);
+    }
+  }
+  return tape;
+}
+
+}  // namespace jetlag
