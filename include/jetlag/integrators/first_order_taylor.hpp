@@ -8,6 +8,8 @@
 //   FirstOrderTaylor<> method(lorenz, 3, {.parameters = {10.0, 28.0, 8.0 / 3.0}});
 //   FirstOrderState<> state{0.0, {-10.0, -1.0, 40.0}};
 //   const Report report = method.run(state, 20.0);      //  state.time is 20, unless the report says why not
+//
+// f may have kinks and jumps: see one_clock_taylor.hpp.
 
 #include <cstdint>
 #include <limits>
@@ -95,7 +97,16 @@ class FirstOrderTaylor : public FirstOrderBase<T> {
     return size;
   }
 
-  void start(const FirstOrderState<T>& state);
+  void start(const FirstOrderState<T>& state, bool backwards);
+  bool has_conditions() const { return series().has_conditions(); }
+  std::optional<T> first_change(const T& h) { return this->series_.series().first_change(h); }
+  int known_orders() const;
+  double scale() const;
+  struct Defect {
+    double defect, size;
+  };
+  Defect defect(const FirstOrderState<T>& end, const T& h);
+  bool rests();
   int orders_read() const { return this->options_.degree; }
   double jorba_zou(double max_step) const;
   void sum(const FirstOrderState<T>& from, const T& h, FirstOrderState<T>& to) const;
@@ -103,6 +114,8 @@ class FirstOrderTaylor : public FirstOrderBase<T> {
   bool series_is_finite(Report& report) const;
   bool is_finite(const FirstOrderState<T>& end, Report& report) const;
   void count();
+
+  std::vector<T> rates_;  // of the check
 };
 
 // ---- definitions -----------------------------------------------------------------------------------------
@@ -114,10 +127,70 @@ void FirstOrderTaylor<T>::set_parameters(std::vector<T> parameters) {
 }
 
 template <class T>
-void FirstOrderTaylor<T>::start(const FirstOrderState<T>& state) {
+void FirstOrderTaylor<T>::start(const FirstOrderState<T>& state, bool backwards) {
   if (!state.rest.empty() && state.rest.size() != state.y.size())
     throw std::invalid_argument("FirstOrderState: rest must be empty or as long as y");
+  this->series_.lead_backwards(backwards);
   this->series_.start(state.time, state.y);
+}
+
+/// The orders from 0 on that are finite.
+template <class T>
+int FirstOrderTaylor<T>::known_orders() const {
+  int k = 0;
+  while (k <= series().order() && finite(series().norm(k))) ++k;
+  return k - 1;
+}
+
+/// max |y| / max |y'| at the start: a time in which y changes.
+template <class T>
+double FirstOrderTaylor<T>::scale() const {
+  using std::abs;
+  return static_cast<double>(T(series().norm(0) / series().norm(1) * abs(series().time_unit())));
+}
+
+/// Whether y' = 0 at the start of the series, and of a y that is a little off in one component, f leads no farther off.
+template <class T>
+bool FirstOrderTaylor<T>::rests() {
+  if (series().norm(1) != T(0)) return false;
+  std::vector<T> y;
+  for (int i = 0; i < series().size(); ++i) y.push_back(series()[i][0]);
+  const T least = std::numeric_limits<T>::epsilon() * std::max(series().norm(0), T(1));
+  for (std::size_t i = 0; i < y.size(); ++i)
+    for (const T& off : {least, T(-least)}) {
+      std::vector<T> beside = y;
+      beside[i] += off;
+      this->series_.series().rates(series().time(), beside, rates_);
+      if (T(rates_[i] * off) > T(0)) return false;
+    }
+  return true;
+}
+
+/// h max |f(end) - y'(h)|, and max(|y(0)|, |y(h)|, h |f(end)|), all largest components; 0 where f(end) is not finite.
+template <class T>
+typename FirstOrderTaylor<T>::Defect FirstOrderTaylor<T>::defect(const FirstOrderState<T>& end, const T& h) {
+  using std::abs;
+  this->series_.series().rates(T(series().time() + h), end.y, rates_);
+  const T s = h / series().time_unit();
+  const T* w = this->series_.weights();
+  const int top = this->top();
+  T most(0), rate(0), size(0);
+  const auto take = [](T& largest, const T& x) {
+    if (largest < x) largest = x;
+  };
+  for (std::size_t i = 0; i < end.y.size(); ++i) {
+    const std::vector<T>& c = series()[static_cast<int>(i)];
+    T slope(0);
+    for (int k = top; k >= 1; --k) slope = slope * s + T(k) * w[k] * c[k];
+    if (!finite(rates_[i])) return {0, std::numeric_limits<double>::infinity()};
+    take(most, abs(T(rates_[i] - slope / series().time_unit())));
+    take(rate, abs(rates_[i]));
+    take(size, abs(end.y[i]));
+    take(size, abs(c[0]));
+  }
+  const T length = abs(h);
+  take(size, T(length * rate));
+  return {static_cast<double>(T(length * most)), static_cast<double>(size)};
 }
 
 template <class T>
@@ -145,7 +218,7 @@ T FirstOrderTaylor<T>::increment(std::size_t i, const T& h) const {
   const std::vector<T>& c = series()[static_cast<int>(i)];
   const T* w = this->series_.weights();
   const T s = h / series().time_unit();
-  const int top = this->series_.top();
+  const int top = this->top();
   if (top == 0) return T(0);
   T horner = w[top] * c[top];
   for (int k = top - 1; k >= 1; --k) horner = horner * s + w[k] * c[k];

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -50,6 +51,20 @@ struct OneClockRunOptions {
 ///
 /// y(t + h) = sum_{k=0..N} y_k h^k,   h by the rule of Jorba and Zou.         Source: [JZ05] 3.
 /// With a law:  sum_{k=0..K} w_k y_k h^k,   of mean-square order min(N, m + 1/2), weak order min(N, 2m + 1).
+///
+/// A Method whose f knows its conditions (has_conditions, first_change, known_orders, scale, defect) may have kinks and jumps:
+///   - a step ends just beyond the first time at which a choice that was made at its beginning changes, of any length that
+///     was asked for. 100 such steps in a row of next to no length, as of a motion that slides along a jump or chatters
+///     about it, end the run as step_underflow;
+///   - where the series has no more than its first coefficients, as that of |v| v has for v = 0, the step uses these and is
+///     so short that they suffice, if there is a whole series at its end;
+///   - where f is not recorded otherwise (a root that reaches zero, the cut of atan2) it shows in the defect: y' at the end of
+///     a step must be f there,
+///
+///         h |f(t + h, y(t + h)) - y'(h)|  <=  max(2^16 eps, 16 N e^(-2(N-1))) max(|y|, h |f|),
+///
+///     the second of which is N times the last term that Jorba and Zou leave. Where it is not, the step is halved; where
+///     none is short enough, the report is step_underflow. A law leaves out more than that: with one, nothing is checked.
 template <class Method, class Series, class State, class Options>
 class OneClockTaylor {
  public:
@@ -93,6 +108,9 @@ class OneClockTaylor {
     return isfinite(x);
   }
 
+  /// The last term of the sums of a step.
+  int top() const { return std::min(series_.top(), known_); }
+
   Options options_;
   StoppedSeries<Series> series_;
   Work work_;
@@ -107,11 +125,25 @@ class OneClockTaylor {
   }
   static TruncationLaw law_of(const Options& options) { return known_beforehand(truncation_of(options)); }
 
+  static constexpr bool knows_conditions = requires(Method& method) { method.has_conditions(); };
+  static constexpr int most_instants = 100;
+
   T proposal(const T& limit) const;
+  T length(const T& limit);
+  T up_to_change(const T& h)
+    requires knows_conditions;
+  bool agrees_with_f(const T& time, T& h)
+    requires knows_conditions;
+  bool leads_on(const T& h)
+    requires knows_conditions;
+  Report refusal(const T& time, const T& h, bool contradicted) const;
   Report underflow(const T& time, const T& h) const;
 
   State begin_, next_;  // of the last step; room for the end of one
   std::uint64_t update_ = 0;
+  int known_ = std::numeric_limits<int>::max();  // the orders of the series that exist
+  bool to_change_ = false;                       // whether the step leads to a change
+  int instants_ = 0;                             // steps in a row of next to no length, each to a change
 };
 
 // ---- definitions -----------------------------------------------------------------------------------------
@@ -135,19 +167,33 @@ Options OneClockTaylor<Method, Series, State, Options>::checked(const std::strin
 template <class Method, class Series, class State, class Options>
 auto OneClockTaylor<Method, Series, State, Options>::step(State& state, const T& limit, Report& report) -> T {
   begin_ = state;
-  self().start(state);
+  self().start(state, limit < T(0));
   series_.draw(update_);
   if (!options_.step) series_.grow_to(self().orders_read());
-  const T h = proposal(limit);
+  T h = length(limit);
   if (h == T(0) || T(state.time + h) == state.time) {
-    if (self().series_is_finite(report)) report = underflow(state.time, h);
+    if (self().series_is_finite(report)) report = refusal(state.time, h, false);
     return T(0);
   }
   series_.stop(h, update_);
   self().sum(state, h, next_);
+  if constexpr (knows_conditions) {
+    if (!options_.law && !agrees_with_f(state.time, h)) {
+      if (self().series_is_finite(report)) report = refusal(state.time, h, true);
+      return T(0);
+    }
+    if (known_ < series_.top() && !leads_on(h)) {
+      self().series_is_finite(report);
+      return T(0);
+    }
+  }
   if (!self().is_finite(next_, report)) {
     Report of_series;
     if (!self().series_is_finite(of_series)) report = of_series;
+    return T(0);
+  }
+  if (instants_ >= most_instants) {
+    report = refusal(state.time, h, false);
     return T(0);
   }
   next_.time = state.time;
@@ -157,6 +203,120 @@ auto OneClockTaylor<Method, Series, State, Options>::step(State& state, const T&
   ++work_.steps;
   self().count();
   return h;
+}
+
+/// The step to try: `proposal` up to the first change of a condition, or where the series has no more than its first
+/// coefficients, a time in which the motion changes.
+template <class Method, class Series, class State, class Options>
+auto OneClockTaylor<Method, Series, State, Options>::length(const T& limit) -> T {
+  using std::abs;
+  known_ = std::numeric_limits<int>::max();
+  if constexpr (!knows_conditions) {
+    return proposal(limit);
+  } else {
+    if (options_.step && (!options_.law || self().has_conditions())) series_.grow_to(self().orders_read());
+    const int known = self().known_orders();
+    if (options_.law || known < 1 || known >= std::min(series().order(), series_.stops().degree()))
+      return up_to_change(proposal(limit));
+    known_ = known;
+    to_change_ = false;
+    const double scale = self().scale();
+    const T most = scale > 0 && scale < static_cast<double>(T(abs(limit))) ? T(scale) : abs(limit);
+    return limit < T(0) ? T(-most) : most;
+  }
+}
+
+/// The step h, or what leads just beyond the first change of a condition: far enough that the next step sees it, which may
+/// take some places of the time and of y, more where that was not enough before.
+template <class Method, class Series, class State, class Options>
+auto OneClockTaylor<Method, Series, State, Options>::up_to_change(const T& h) -> T
+  requires knows_conditions
+{
+  using std::abs;
+  to_change_ = false;
+  if (h == T(0) || !finite(h) || !self().has_conditions()) return h;
+  const T unit = abs(series().time_unit()), length = abs(h);
+  T shorter = length;
+  if (const std::optional<T> change = self().first_change(T(length / unit))) {
+    const T time = abs(series().time());
+    const T least = std::numeric_limits<T>::epsilon() * (time < length ? length : time) *
+                    T(std::ldexp(1.0, std::min(instants_, 20)));
+    shorter = T(*change * unit);
+    if (shorter < least) shorter = least;
+    if (length < shorter) shorter = length;
+    to_change_ = true;
+  }
+  instants_ = shorter < length * T(0x1p-20) ? instants_ + 1 : 0;
+  return h < T(0) ? T(-shorter) : shorter;
+}
+
+/// Whether the end of the step agrees with f there, after halving it where it does not. False where no step does.
+template <class Method, class Series, class State, class Options>
+bool OneClockTaylor<Method, Series, State, Options>::agrees_with_f(const T& time, T& h)
+  requires knows_conditions
+{
+  const double eps = static_cast<double>(std::numeric_limits<T>::epsilon());
+  const int degree = options_.degree;
+  const bool singular = known_ < series_.top();
+  const double allowed =
+      singular ? 8 * eps : std::max(0x1p16 * eps, 16 * degree * std::exp(-2.0 * (degree - 1)));
+  double unseen = 0;  // from a singular point at which nothing moves: what is nothing beside a long step
+  const auto agrees = [&](const T& length) {
+    const auto [defect, size] = self().defect(next_, length);
+    if (singular && unseen == 0 && std::isfinite(size)) unseen = 0x1p-80 * size;
+    return !(defect > std::max(allowed * size, unseen));
+  };
+  if (to_change_) {  // at its end f has gone another way: a little before
+    const T before = h * T(1 - 0x1p-20);
+    if (instants_ > 0 || T(time + before) == T(time + h)) return true;
+    self().sum(begin_, before, next_);
+    const bool right = agrees(before);
+    if (!right) h = before;
+    self().sum(begin_, h, next_);
+    if (right) return true;
+  }
+  while (!agrees(h)) {
+    ++work_.rejected;
+    h = h / T(2);
+    if (T(time + h) == time) return false;
+    self().sum(begin_, h, next_);
+  }
+  return true;
+}
+
+/// Whether the series at the end of a step from a singular point is whole again, or the motion rests there and would come
+/// back: as y = 0 of y' = -sqrt(y), and not that of y' = sqrt(y), from which it may depart at any time.
+template <class Method, class Series, class State, class Options>
+bool OneClockTaylor<Method, Series, State, Options>::leads_on(const T& h)
+  requires knows_conditions
+{
+  State end = next_;
+  end.time = T(begin_.time + h);
+  self().start(end, h < T(0));
+  series_.grow_to(self().orders_read());
+  const bool whole = self().known_orders() >= series_.series().order() || self().rests();
+  self().start(begin_, h < T(0));
+  series_.grow_to(self().orders_read());
+  return whole;
+}
+
+template <class Method, class Series, class State, class Options>
+Report OneClockTaylor<Method, Series, State, Options>::refusal(const T& time, const T& h,
+                                                               bool contradicted) const {
+  if (contradicted)
+    return {Outcome::step_underflow,
+            "f at the end of a step contradicts the series from its beginning at t = " + shown(time) +
+                ", however short the step: f is singular or jumps there; end before, or write f with select, "
+                "abs, "
+                "min or max, which are watched",
+            -1};
+  if (instants_ >= most_instants)
+    return {Outcome::step_underflow,
+            "choices in f have changed " + std::to_string(most_instants) +
+                " times in a row with next to no time in between, at t = " + shown(time) +
+                ": the motion slides along a jump of f or chatters about it; end the run before",
+            -1};
+  return underflow(time, h);
 }
 
 template <class Method, class Series, class State, class Options>
@@ -189,7 +349,7 @@ template <class Method, class Series, class State, class Options>
 auto OneClockTaylor<Method, Series, State, Options>::proposal(const T& limit) const -> T {
   using std::abs;
   const auto chosen = [&] {
-    const double unit = static_cast<double>(series().time_unit());
+    const double unit = std::abs(static_cast<double>(series().time_unit()));
     return std::min(self().jorba_zou(options_.max_step / unit) * unit, options_.max_step);
   };
   const T h(options_.step ? *options_.step : chosen());

@@ -62,7 +62,7 @@ class ParticleTaylor : public ParticleTaylorBase<T> {
   using Base::finite;
   using Base::series;
 
-  void start(const State<T>& state) { this->series_.start(state); }
+  void start(const State<T>& state, bool) { this->series_.start(state); }
   int orders_read() const { return this->options_.degree + 1; }
   double jorba_zou(double max_step) const {
     return jorba_zou_step_of(series(), this->options_.degree, max_step);

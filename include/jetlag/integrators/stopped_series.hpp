@@ -43,7 +43,7 @@ concept StoppableSeries = requires(S s, const S c, int k, typename S::Number t) 
 template <StoppableSeries Series>
 double better_unit(const Series& series) {
   const int n = series.order();
-  const double unit = static_cast<double>(series.time_unit());
+  const double unit = std::abs(static_cast<double>(series.time_unit()));
   const auto size = [&](int k) { return static_cast<double>(series.norm(k)); };
   if (std::isnormal(std::max(size(n), size(n - 1)))) return unit;
   int m = 0, end = 0;
@@ -81,8 +81,10 @@ class StoppedSeries {
   /// The series from a state: what Series::start takes, but for the unit of time, which is that of the last one.
   template <class... Start>
   void start(const Start&... from) {
-    series_.start(from..., T(unit_));
+    series_.start(from..., signed_unit());
   }
+  /// Of the next start: whether the series leads backwards in time, in a negative unit.
+  void lead_backwards(bool backwards) { backwards_ = backwards; }
   /// In seconds again, as for another motion.
   void forget_unit() { unit_ = 1; }
 
@@ -112,11 +114,13 @@ class StoppedSeries {
 
  private:
   void take_weights();
+  T signed_unit() const { return T(backwards_ ? -unit_ : unit_); }
 
   Series series_;
   Stops stops_;
   int beyond_;
   double unit_ = 1;
+  bool backwards_ = false;
   std::vector<T> weights_;  // the same as numbers of this type, [draw][term]
 };
 
@@ -129,7 +133,7 @@ void StoppedSeries<Series>::grow_to(int order) {
     const double unit = better_unit(series_);
     if (unit == unit_) return;
     unit_ = unit;
-    series_.restart(T(unit));
+    series_.restart(signed_unit());
   }
   series_.grow_to(wanted);
 }
@@ -145,7 +149,7 @@ void StoppedSeries<Series>::stop(const T& h, std::uint64_t update) {
         else
           return static_cast<double>(series_.norm(n));
       };
-      return norm() * std::pow(static_cast<double>(abs(h)) / static_cast<double>(series_.time_unit()), n);
+      return norm() * std::pow(static_cast<double>(abs(T(h / series_.time_unit()))), n);
     };
     stops_.draw_in_view(update, size, [&](int degree) { grow_to(degree + beyond_); });
     take_weights();

@@ -11,15 +11,21 @@
 //
 // Numbers written in f are part of the recording and are doubles, whatever T is. The parameters p are of type T and
 // may be changed without recording again; f(t, y) has none.
+//
+// Choices in f (select, abs, max ..) are decided where the series starts. The series of what decides them are at hand, so
+// that a step may end where the first one changes: first_change.
 
 #include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <limits>
+#include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "jetlag/series/calculus/first_change.hpp"
 #include "jetlag/tape/program.hpp"
 #include "jetlag/tape/recording.hpp"
 
@@ -44,7 +50,8 @@ class RecordedParameters {
   int count_;
 };
 
-/// The tape of f: inputs are time and `size` positions of participant 0; `size` outputs; `parameters` parameters.
+/// The tape of f with its conditions: inputs are time and `size` positions of participant 0; `size` outputs; `parameters`
+/// parameters.
 /// f(t, y) or f(t, y, p) takes a scalar, a vector of `size` scalars and the parameters, and returns a container of
 /// `size` scalars. Throws std::invalid_argument for another number of them.
 template <class F>
@@ -68,7 +75,7 @@ Tape record_first_order(const F& f, int size, int parameters = 0) {
   if (static_cast<int>(derivative.size()) != size)
     throw std::invalid_argument("y' = f(t, y): f returns " + std::to_string(derivative.size()) +
                                 " components, y has " + std::to_string(size));
-  Tape tape = recording.finish(derivative);
+  Tape tape = with_conditions(recording.finish(derivative));
   tape.parameters = parameters;
   return tape;
 }
@@ -83,7 +90,9 @@ class FirstOrderExpansion {
   FirstOrderExpansion(const F& f, int size, const std::vector<T>& parameters = {}, int expected_degree = 20)
       : y_(size),
         blocks_(Program(record_first_order(f, size, static_cast<int>(parameters.size()))), 1, parameters,
-                scalar_kernels<T>()) {
+                scalar_kernels<T>()),
+        once_(blocks_.program(), 1, parameters, scalar_kernels<T>()) {
+    once_.reserve(1);
     blocks_.reserve(expected_degree);
     for (std::vector<T>& series : y_) series.reserve(expected_degree + 1);
   }
@@ -93,12 +102,14 @@ class FirstOrderExpansion {
     const int capacity = blocks_.capacity();
     blocks_ = Blocks<T>(blocks_.program(), 1, parameters, scalar_kernels<T>());
     blocks_.reserve(capacity);
+    once_ = Blocks<T>(blocks_.program(), 1, parameters, scalar_kernels<T>());
+    once_.reserve(1);
     for (std::vector<T>& series : y_) series.clear();
   }
 
-  /// Starts anew from y(t) = y: coefficient 0 is known. time_unit, > 0: the series are those in powers of
+  /// Starts anew from y(t) = y: coefficient 0 is known. time_unit, not 0: the series are those in powers of
   /// (time - t) / time_unit. With a power of two their digits are the same; fast and slow motions need it, whose
-  /// coefficients over- or underflow.
+  /// coefficients over- or underflow. A negative one leads backwards: choices are those of the time before t.
   void start(const T& t, const std::vector<T>& y, const T& time_unit = T(1)) {
     if (y.size() != y_.size())
       throw std::invalid_argument("y' = f(t, y): " + std::to_string(y_.size()) +
@@ -110,7 +121,8 @@ class FirstOrderExpansion {
 
   /// Starts anew from the same values, in another unit of time.
   void restart(const T& time_unit) {
-    if (!(time_unit > T(0))) throw std::invalid_argument("y' = f(t, y): the unit of time must be > 0");
+    if (!(time_unit > T(0)) && !(time_unit < T(0)))
+      throw std::invalid_argument("y' = f(t, y): the unit of time must not be 0");
     time_unit_ = time_unit;
     for (std::vector<T>& series : y_) series.resize(1);
   }
@@ -124,19 +136,38 @@ class FirstOrderExpansion {
     if (k < 0) throw std::logic_error("FirstOrderExpansion: start() comes before grow()");
     const T time = k == 0 ? time_ : k == 1 ? time_unit_ : T(0);
     blocks_.reserve(k + 1 > blocks_.capacity() ? 2 * (k + 1) : k + 1);
-    for (const auto& [place, input] : blocks_.program().inputs)
-      *blocks_.at(0, place, k) = input.kind == Input::Kind::time ? time : y_[input.component][k];
-    blocks_.run(0, k);
+    run(blocks_, k, time, [&](int i) -> const T& { return y_[i][k]; });
     for (std::size_t i = 0; i < y_.size(); ++i) {
-      const Place place = blocks_.program().outputs[i];
-      const bool zero = k > 0 && place.space == Place::Space::statics;
-      const T rate = zero ? T(0) : *blocks_.at(0, place, k);
+      const T rate = rate_of(blocks_, i, k);
       y_[i].push_back(T((time_unit_ == T(1) ? rate : T(rate * time_unit_)) / T(k + 1)));
     }
   }
 
   void grow_to(int order) {
     while (this->order() < order) grow();
+  }
+
+  /// f(t, y), apart from the series.   into: shape (size).
+  void rates(const T& t, const std::vector<T>& y, std::vector<T>& into) {
+    run(once_, 0, t, [&](int i) -> const T& { return y[i]; });
+    into.resize(y_.size());
+    for (std::size_t i = 0; i < y_.size(); ++i) into[i] = rate_of(once_, i, 0);
+  }
+
+  /// Whether f makes choices that may change.
+  bool has_conditions() const { return !blocks_.program().conditions.empty(); }
+
+  /// The first s in (0, h], in units of time, at which a choice that was made at the start would be made otherwise, as far as
+  /// orders below order() tell; see jetlag::first_change.
+  std::optional<T> first_change(T h) {
+    std::optional<T> first;
+    std::vector<T> c(order());
+    for (const auto& [place, at_zero] : blocks_.program().conditions) {
+      for (int k = 0; k < order(); ++k) c[k] = *blocks_.at(0, place, k);
+      const auto s = jetlag::first_change<T>(std::span<const T>(c), at_zero, h);
+      if (s) first = h = *s;
+    }
+    return first;
   }
 
   const T& time() const { return time_; }
@@ -160,9 +191,20 @@ class FirstOrderExpansion {
   int size() const { return static_cast<int>(y_.size()); }
 
  private:
+  template <class Y>
+  static void run(Blocks<T>& blocks, int k, const T& time, const Y& y) {
+    for (const auto& [place, input] : blocks.program().inputs)
+      *blocks.at(0, place, k) = input.kind == Input::Kind::time ? time : y(input.component);
+    blocks.run(0, k);
+  }
+  static T rate_of(Blocks<T>& blocks, std::size_t i, int k) {
+    const Place place = blocks.program().outputs[i];
+    return k > 0 && place.space == Place::Space::statics ? T(0) : *blocks.at(0, place, k);
+  }
+
   T time_{}, time_unit_{1};
   std::vector<std::vector<T>> y_;
-  Blocks<T> blocks_;
+  Blocks<T> blocks_, once_;
 };
 
 }  // namespace jetlag
