@@ -8,6 +8,7 @@
 
 #include "jetlag/base/rounded_time.hpp"
 #include "jetlag/base/text.hpp"
+#include "jetlag/series/calculus/first_change.hpp"
 #include "jetlag/series/calculus/roots.hpp"
 
 namespace jetlag {
@@ -89,45 +90,149 @@ std::vector<LocalSeries> ObservableSeries::along(const Piece& piece) {
         row.push_back(entry(coefficient, input));
   }
   std::vector<LocalSeries> all;
-  append(std::move(rows), piece.begin, piece.end, 0, all);
+  append({std::move(rows), piece.begin}, piece.end, 0, all);
   return all;
 }
 
-void ObservableSeries::append(Rows rows, double begin, double end, int halvings,
-                              std::vector<LocalSeries>& all) {
+ObservableSeries::Course ObservableSeries::Course::from(double t) const {
+  Course later{rows, t};
+  for (auto& row : later.rows) taylor_shift(row, t - begin);
+  return later;
+}
+
+/// The coefficients of g from the beginning of a course on, up to the first one that is not finite where there are three: near a
+/// singularity the last ones overflow, and those before serve on an interval that is short enough.
+std::vector<double> ObservableSeries::expand(const Course& course) {
   const Program& program = blocks_.program();
   std::size_t known = 1;
-  for (const auto& row : rows) known = std::max(known, row.size());
-  const bool linear = program.histories == 0;
-  const int size = static_cast<int>(program.is_static ? 1
-                                    : linear          ? known
+  for (const auto& row : course.rows) known = std::max(known, row.size());
+  orders_ = static_cast<int>(program.is_static        ? 1
+                             : program.histories == 0 ? known
                                                       : std::max(2 * known - 1, std::size_t{41}));
-  blocks_.reserve(size);
-  LocalSeries series{begin, end, {}};
-  for (int k = 0; k < size; ++k) {
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      *blocks_.at(0, program.inputs[i].place, k) = k < static_cast<int>(rows[i].size()) ? rows[i][k] : 0.0;
+  blocks_.reserve(orders_);
+  std::vector<double> c;
+  for (int k = 0; k < orders_; ++k) {
+    for (std::size_t i = 0; i < course.rows.size(); ++i) {
+      const std::vector<double>& row = course.rows[i];
+      *blocks_.at(0, program.inputs[i].place, k) = k < static_cast<int>(row.size()) ? row[k] : 0.0;
+    }
     blocks_.run(0, k);
-    series.c.push_back(coefficient(k));
+    c.push_back(coefficient(k));
   }
+  const auto infinite = std::ranges::find_if(c, [](double x) { return !std::isfinite(x); });
+  const auto finite = infinite - c.begin();
+  if (finite > 2) c.resize(static_cast<std::size_t>(finite));
+  return c;
+}
 
-  // Near a singularity the last coefficients overflow: those before serve, on an interval that is short enough.
-  const auto infinite = std::ranges::find_if(series.c, [](double x) { return !std::isfinite(x); });
-  const auto finite = static_cast<std::size_t>(infinite - series.c.begin());
-  const bool exists = finite == series.c.size() || finite > 2;
-  if (exists) series.c.resize(finite);
-  const Terms terms(series.c, end - begin);
-  const double middle = begin + 0.5 * (end - begin);
-  constexpr int most_halvings = 30;
-  if (!linear && exists && !terms.converge() && halvings < most_halvings && begin < middle && middle < end) {
-    Rows later = rows;
-    for (auto& row : later) taylor_shift(row, middle - begin);
-    append(std::move(rows), begin, middle, halvings + 1, all);
-    append(std::move(later), middle, end, halvings + 1, all);
-    return;
+/// The time from the beginning of the last expansion to the first change of a choice in g; h if there is none.
+double ObservableSeries::first_change(double h) {
+  std::vector<double> c(orders_);
+  for (const auto& [place, at_zero] : blocks_.program().conditions) {
+    for (int k = 0; k < orders_; ++k) c[k] = *blocks_.at(0, place, k);
+    if (const auto s = jetlag::first_change<double>(c, at_zero, h)) h = *s;
   }
+  return h;
+}
+
+bool ObservableSeries::conditions_converge(double h) {
+  return std::ranges::all_of(blocks_.program().conditions, [&](const auto& condition) {
+    std::vector<double> c;
+    for (int k = 0; k < orders_ && std::isfinite(*blocks_.at(0, condition.place, k)); ++k)
+      c.push_back(*blocks_.at(0, condition.place, k));
+    return c.empty() || Terms(c, h).converge();  // one that does not exist decides nothing
+  });
+}
+
+/// g of the motion at a time of a course.
+double ObservableSeries::value(const Course& course, double t) {
+  for (std::size_t i = 0; i < course.rows.size(); ++i)
+    *blocks_.at(0, blocks_.program().inputs[i].place, 0) = accurate_value(course.rows[i], t - course.begin);
+  blocks_.run(0, 0);
+  return coefficient(0);
+}
+
+/// Two values of g that are computed in different ways, where the terms of its series add up to `size`: cancellation in g may
+/// take half of the digits.
+constexpr double same_value = 0x1p-30;
+
+bool ObservableSeries::is_right(const Course& course, const LocalSeries& series, double s) {
+  const double truth = value(course, series.begin + s);
+  return !std::isfinite(truth) ||
+         std::abs(truth - accurate_value(series.c, s)) <= same_value * Terms(series.c, s).sum;
+}
+
+namespace {
+constexpr std::size_t most_series = 10000;
+
+void push(LocalSeries series, std::vector<LocalSeries>& all) {
+  if (!all.empty() && series.join == LocalSeries::Join::value) {
+    const LocalSeries& last = all.back();
+    const double h = last.end - last.begin;
+    const double size = std::max(Terms(last.c, h).sum, std::abs(series.c[0]));
+    if (std::abs(accurate_value(last.c, h) - series.c[0]) > same_value * size)
+      series.join = LocalSeries::Join::jump;
+  }
+  const Terms terms(series.c, series.end - series.begin);
   while (series.c.size() > 1 && terms.term[series.c.size() - 1] < 0x1p-60 * terms.sum) series.c.pop_back();
   all.push_back(std::move(series));
+}
+}  // namespace
+
+void ObservableSeries::append(Course course, double end, int halvings, std::vector<LocalSeries>& all) {
+  constexpr int most_halvings = 30;
+  while (true) {
+    LocalSeries series{course.begin, end, expand(course)};
+    const bool exists = std::isfinite(series.c.back());
+    if (!exists || all.size() >= most_series) {
+      if (exists) series.c = {std::numeric_limits<double>::quiet_NaN()};
+      return all.push_back(std::move(series));
+    }
+    const double h = time_between(course.begin, end);
+    const double change = h > 0 ? first_change(h) : h;
+    if (change < h)
+      series.end = std::clamp(time_after(course.begin, change),
+                              std::nextafter(course.begin, std::numeric_limits<double>::infinity()), end);
+    const double length = series.end - series.begin;
+    const bool polynomial = blocks_.program().histories == 0 || length <= 0;
+    const double inner = change < h ? length * (1 - 0x1p-20) : length;  // at a change g goes another way
+    if (!polynomial &&
+        !(Terms(series.c, length).converge() && conditions_converge(length) &&
+          ((change < h && series.begin + inner >= series.end) || is_right(course, series, inner)))) {
+      const double middle = course.begin + 0.5 * length;
+      if (halvings < most_halvings && course.begin < middle && middle < series.end) {
+        append(course, middle, halvings + 1, all);
+        append(course.from(middle), series.end, halvings + 1, all);
+      } else {
+        append_values(course, series.end, all);
+      }
+    } else {
+      push(series, all);
+    }
+    if (!(series.end < end) || !all.back().is_finite()) return;
+    course = course.from(series.end);
+  }
+}
+
+/// Where there is no series: g by its values at the ends, and the place between them where its sign changes.
+void ObservableSeries::append_values(const Course& course, double end, std::vector<LocalSeries>& all) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  double a = value(course, course.begin), b = value(course, end);
+  if (!std::isfinite(a) || !std::isfinite(b)) return all.push_back({course.begin, end, {nan}});
+  if (sign(a) * sign(b) >= 0) return push({course.begin, end, {a, (b - a) / (end - course.begin)}}, all);
+  const double size = std::max(std::abs(a), std::abs(b));
+  double low = course.begin, high = end;
+  for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high)) {
+    const double here = value(course, middle);
+    if (std::isnan(here)) return all.push_back({low, end, {nan}});
+    const bool before = sign(here) == sign(a);
+    (before ? low : high) = middle;
+    (before ? a : b) = here;
+  }
+  const bool to_zero = std::max(std::abs(a), std::abs(b)) < 0.5 * size;
+  const double first = value(course, course.begin), last = value(course, end);
+  push({course.begin, high, {first}}, all);
+  push({high, end, {last}, to_zero ? LocalSeries::Join::zero : LocalSeries::Join::jump}, all);
 }
 
 double LocalSeries::at(double t) const { return accurate_value(c, time_between(begin, t)); }
@@ -137,8 +242,11 @@ bool LocalSeries::is_finite() const { return std::isfinite(rounding_of(c, 2 * (e
 std::vector<Crossing> crossings(std::span<LocalSeries> series) {
   std::vector<Crossing> found;
   std::optional<double> before;  // the value at the end of the series before
-  for (auto& [begin, end, c] : series) {
-    if (before && sign(*before) != sign(c[0])) c[0] = *before;
+  for (auto& [begin, end, c, join] : series) {
+    if (join == LocalSeries::Join::zero)
+      found.push_back({begin, c[0] > 0});
+    else if (join == LocalSeries::Join::value && before && sign(*before) != sign(c[0]))
+      c[0] = *before;
     const double h = time_between(begin, end);
     if (h > 0)
       for (const auto& [s, rising] : sign_changes(c, h)) found.push_back({time_after(begin, s), rising});

@@ -32,6 +32,13 @@ int first_sign(const std::vector<double>& c, std::size_t k) {
   return 0;
 }
 
+/// sum_k |c_k| s^k
+double size_of(const std::vector<double>& c, double s) {
+  double sum = 0;
+  for (std::size_t k = c.size(); k-- > 0;) sum = sum * s + std::abs(c[k]);
+  return sum;
+}
+
 }  // namespace
 
 EventWatch::EventWatch(const RunOptions& options, const State<double>& start) : hits_(options.hits) {
@@ -74,19 +81,34 @@ void EventWatch::Watched::find_crossings() {
   if (on_event && sign(c[0]) * side < 0 && !crossings.empty()) crossings.erase(crossings.begin());
 }
 
+/// The sign that the series give g at t: that after the last crossing or jump, or from the beginning on.
+int EventWatch::Watched::sign_after(double t) const {
+  int after = side;
+  double since = series.front().begin;
+  for (const LocalSeries& local : series)
+    if (local.join == LocalSeries::Join::jump && local.begin <= t) {
+      after = first_sign(local.c, 0);
+      since = local.begin;
+    }
+  if (!crossings.empty() && crossings.back().time >= since) after = crossings.back().rising ? 1 : -1;
+  return after;
+}
+
 /// Makes the crossings up to t agree with the state there. Where they do not, by rounding: a crossing that has not gone
 /// beyond rounding since is left to the next step; otherwise there is one more, at t.
 void EventWatch::Watched::settle(double t, const State<double>& state) {
   std::erase_if(crossings, [t](const Crossing& at) { return at.time > t; });
   const LocalSeries& local = series_at(t);
-  const int after = crossings.empty() ? side : crossings.back().rising ? 1 : -1;
+  const int after = sign_after(t);
   const double value = g(state);
   // At zero the polynomial tells where it goes, a little further on.
   const double s = t - local.begin;
   const int truth =
       value != 0 ? sign(value) : sign(accurate_value(local.c, s + 0x1p-16 * (local.end - local.begin)));
   if (truth == 0 || after == 0 || truth == after) return;
+  // A difference is rounding where both are small beside the terms of the series; elsewhere g jumps at t.
   const double rounding = 2 * (std::abs(local.at(t)) + std::abs(value));
+  if (rounding > 0x1p-20 * size_of(local.c, s)) return;
   if (!crossings.empty()) {
     const double middle = crossings.back().time + 0.5 * (t - crossings.back().time);
     if (std::abs(series_at(middle).at(middle)) <= rounding) return crossings.pop_back();

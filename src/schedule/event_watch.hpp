@@ -42,6 +42,7 @@ class EventWatch {
     bool counts(const Crossing& at) const;
     bool leaves() const { return event.terminal || event.change; }
     const LocalSeries& series_at(double t) const;
+    int sign_after(double t) const;
     void find_crossings();
     void settle(double t, const State<double>& state);
   };

@@ -10,8 +10,12 @@
 //
 // The series. Along a piece of degree N a function that is linear in time, positions and velocities is a polynomial of
 // degree N, exactly. Any other is expanded to degree max(2N, 40), and anew from the middle of an interval where its
-// last two terms are not below rounding at the end: what is found is g of the method's own motion, not g truncated at
-// N.
+// last two terms are not below rounding at the end, or where its value there is not g: what is found is g of the method's
+// own motion, not g truncated at N.
+//
+// Kinks and jumps. A series ends where a choice in g changes (abs, min, max, select, the root of what reaches zero), to one
+// ulp of time, and another one begins. Where neither converges, in 2^-30 of a step, g is followed by its values: a change of
+// sign is sought by bisection, and is a crossing if g goes to zero there (cbrt), none if it jumps or has a pole.
 
 #include <concepts>
 #include <span>
@@ -40,7 +44,7 @@ class Observable {
     };
     const Recorded t = recording.input({Input::Kind::time, 0, 0});
     const Recorded value = g(t, coordinates(Input::Kind::position), coordinates(Input::Kind::velocity));
-    tape_ = recording.finish({value});
+    tape_ = with_conditions(recording.finish({value}));
   }
 
   const Tape& tape() const { return tape_; }
@@ -57,6 +61,9 @@ struct LocalSeries {
   double begin, end;
   std::vector<double> c;
 
+  /// How it follows the one before: in one value, in another value, or in other sign through zero, without a series there.
+  enum class Join { value, jump, zero } join = Join::value;
+
   double at(double t) const;
   /// Whether it exists: not where g is singular (1/x at 0), nor beyond (sqrt(x) at x < 0).
   bool is_finite() const;
@@ -71,15 +78,29 @@ class ObservableSeries {
   double operator()(const State<double>& state);
 
   /// g along a piece, see above: one series, or several that follow each other. Terms at the end that are smaller than
-  /// 2^-60 of the whole are left out. Throws std::invalid_argument for a piece whose unit of time is not 1 s.
+  /// 2^-60 of the whole are left out. Where there is no series, or more than 10000 of them, the last one is not finite.
+  /// Throws std::invalid_argument for a piece whose unit of time is not 1 s.
   std::vector<LocalSeries> along(const Piece& piece);
 
  private:
   using Rows = std::vector<std::vector<double>>;  // the polynomial of each input
-  void append(Rows rows, double begin, double end, int halvings, std::vector<LocalSeries>& all);
+  /// The motion of the inputs from a time on.
+  struct Course {
+    Rows rows;
+    double begin;
+    Course from(double t) const;
+  };
+  void append(Course course, double end, int halvings, std::vector<LocalSeries>& all);
+  void append_values(const Course& course, double end, std::vector<LocalSeries>& all);
+  std::vector<double> expand(const Course& course);
+  bool conditions_converge(double h);
+  double first_change(double h);
+  bool is_right(const Course& course, const LocalSeries& series, double s);
+  double value(const Course& course, double t);
   double coefficient(int k);
 
   Blocks<double> blocks_;
+  int orders_ = 0;  // of the last expansion
 };
 
 /// A time at which an observable changes sign.
@@ -91,8 +112,8 @@ struct Crossing {
 
 /// All crossings in (begin, end] of finite series that follow each other, in order: the polynomial changes sign between
 /// the double before `time` and `time`, in exact arithmetic. See series/calculus/roots.hpp for roots close together and touches.
-/// Neighbours join to rounding only. Where their values differ in sign, which would hide a crossing or repeat it,
-/// coefficient 0 of the later one becomes the value at the end of the earlier one.
+/// Neighbours that join in one value do so to rounding only. Where their values differ in sign, which would hide a crossing
+/// or repeat it, coefficient 0 of the later one becomes the value at the end of the earlier one.
 std::vector<Crossing> crossings(std::span<LocalSeries> series);
 
 /// As above for an observable along a piece. Throws std::invalid_argument when it reads a coordinate that does not

@@ -10,9 +10,11 @@
 //   schedule.run(state, 10.0, options);                     // a ball that bounces
 //
 // What a crossing is.
-//   - g has a Taylor series during a step (motion/observable.hpp); an event is a change of its sign, and none is missed
-//     that rises out of rounding. Touching without crossing is none, and neither is a g that is zero throughout. A g
-//     that is zero but for rounding, such as an invariant of the motion, crosses at random.
+//   - g has Taylor series during a step (motion/observable.hpp), one for each part between its kinks; an event is a change of
+//     its sign, and none is missed that rises out of rounding. Touching without crossing is none, and neither is a g that is
+//     zero throughout. A g that is zero but for rounding, such as an invariant of the motion, crosses at random.
+//   - A change of sign at a jump or a pole is no event. Where g ends (the root of what becomes negative) the run ends as
+//     non_finite, and the report names the event and the time.
 //   - Its time is the first double after the change: g changes sign between the double before and it. The clock itself
 //     is off by half an ulp (motion/trajectory.hpp), the motion by the error of its method.
 //   - At the ends of steps and runs g of the state decides: a crossing there is found once, before or after.

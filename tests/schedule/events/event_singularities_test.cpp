@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// Events whose g has kinks, jumps, poles and branch points: every zero once, and nothing else.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "schedule/events/events_for_tests.hpp"
+#include "support/random.hpp"
+
+namespace jetlag::testing::event_singularities_test {
+namespace {
+
+using ::testing::ElementsAre;
+constexpr double pi = std::numbers::pi;
+
+/// A dozen roundings of numbers up to 20, over slopes of at least 1/50.
+constexpr double rounding = 1e-12;
+
+struct Zero {
+  double time;
+  bool rising;
+};
+
+void expect_zeros(const std::vector<EventHit>& hits, const std::vector<Zero>& zeros, const std::string& of) {
+  ASSERT_EQ(hits.size(), zeros.size()) << of;
+  for (std::size_t i = 0; i < zeros.size(); ++i) {
+    EXPECT_NEAR(hits[i].time, zeros[i].time, rounding) << of;
+    EXPECT_EQ(hits[i].rising, zeros[i].rising) << of;
+  }
+}
+
+/// g(t, x) of a particle that moves as x = t - 1, in steps that end at no zero.
+template <class G>
+std::vector<EventHit> hits_until(double until, const G& g, double step = 0.71) {
+  return hits_of(
+      free_particle(-1, 1), in_steps(free_particle(-1, 1), step),
+      {{.name = "g", .g = [&](const auto& t, const auto& x, const auto&) { return g(t, x(0, 0)); }}}, until);
+}
+
+TEST(SingularEvents, TwoParticlesThatPassEachOtherCloselyAreNearTwice) {
+  for (const double y : {0.0, 1e-12, 1e-9, 3e-8, 1e-6, 1e-3, 0.1}) {
+    const auto near = [y](const auto&, const auto& x) { return sqrt(4.0 * x * x + y * y) - 0.5; };
+    const double half = 0.5 * std::sqrt(0.25 - y * y);  // 2 |x| at the distance
+    for (const double step : {0.71, 3.0})
+      expect_zeros(hits_until(3, near, step), {{1 - half, false}, {1 + half, true}},
+                   "y = " + std::to_string(y));
+  }
+}
+
+TEST(SingularEvents, KinksLoseNoZero) {
+  for (const double step : {0.3, 0.71, 5.0}) {
+    expect_zeros(hits_until(
+                     5, [](const auto&, const auto& x) { return abs(x) - 0.5; }, step),
+                 {{0.5, false}, {1.5, true}}, "abs");
+    expect_zeros(hits_until(
+                     5, [](const auto&, const auto& x) { return abs(x) - 1e-8; }, step),
+                 {{1 - 1e-8, false}, {1 + 1e-8, true}}, "abs, close");
+    expect_zeros(hits_until(
+                     10, [](const auto& t, const auto&) { return max(sin(t), 0.0) - 0.5; }, step),
+                 {{pi / 6, true}, {5 * pi / 6, false}, {13 * pi / 6, true}, {17 * pi / 6, false}}, "max");
+  }
+}
+
+TEST(SingularEvents, PolesAndJumpsThroughZeroAreNoZeros) {
+  for (const double step : {0.3, 0.71, 10.0}) {
+    expect_zeros(hits_until(
+                     10, [](const auto& t, const auto&) { return tan(t); }, step),
+                 {{pi, true}, {2 * pi, true}, {3 * pi, true}}, "tan");
+    expect_zeros(hits_until(
+                     3, [](const auto&, const auto& x) { return 1.0 / x - 1.0; }, step),
+                 {{2, false}}, "reciprocal");
+    expect_zeros(hits_until(
+                     3, [](const auto&, const auto& x) { return atan2(-x, Recorded(-1.0)); }, step),
+                 {}, "the cut of atan2");
+    expect_zeros(hits_until(
+                     3, [](const auto&, const auto& x) { return select(x < 0.0, x - 1.0, x + 1.0); }, step),
+                 {}, "select");
+  }
+}
+
+TEST(SingularEvents, ABranchPointAtZeroIsAZero) {
+  for (const double step : {0.3, 0.71, 10.0})
+    expect_zeros(
+        hits_until(3, [](const auto&, const auto& x) { return cbrt(x); }, step), {{1, true}}, "cbrt");
+}
+
+TEST(SingularEvents, WhereGEndsIsAnError) {
+  RunOptions options;
+  options.events = {{.name = "root",
+                     .g = [](const auto&, const auto& x, const auto&) { return sqrt(0.0 - x(0, 0)) - 0.5; }}};
+  State<double> state = free_particle(-1, 1).start;
+  const Report report = in_steps(free_particle(-1, 1), 0.71).run(state, 3, options);
+  EXPECT_EQ(report.outcome, Outcome::non_finite);
+  EXPECT_NE(report.message.find("(root): g has no series at t = "), std::string::npos) << report.message;
+  EXPECT_LT(state.time, 1);
+}
+
+// ---- 1000 functions at random ------------------------------------------------------------------------------
+
+struct Factor {
+  enum Kind { distance, fraction, root, half_wave, two_lines, angle, near, lesser, kinds } kind;
+  double a, b;
+};
+
+Recorded value(const Factor& f, const Recorded& t) {
+  const Recorded s = t - f.a;
+  switch (f.kind) {
+    case Factor::distance: return abs(s) - f.b;
+    case Factor::fraction: return s / (t - (f.a + f.b));
+    case Factor::root: return cbrt(s);
+    case Factor::half_wave: return max(sin(s), 0.0) - 0.5;
+    case Factor::two_lines: return select(s < 0.0, t - (f.a - f.b), t - (f.a + 2 * f.b));
+    case Factor::angle: return atan2(s, Recorded(-1.0));
+    case Factor::near: return sqrt(s * s + 1e-18) - f.b;
+    default: return min(s, f.a + f.b - t);
+  }
+}
+
+/// Where the sign of the factor changes, and whether g goes through zero there.
+void add_changes(const Factor& f, std::vector<std::pair<double, bool>>& changes) {
+  const auto zero = [&](double t) { changes.emplace_back(t, true); };
+  const auto jump = [&](double t) { changes.emplace_back(t, false); };
+  switch (f.kind) {
+    case Factor::distance: return zero(f.a - f.b), zero(f.a + f.b);
+    case Factor::fraction: return zero(f.a), jump(f.a + f.b);
+    case Factor::root: return zero(f.a);
+    case Factor::half_wave:
+      for (int n = -3; n < 4; ++n) zero(f.a + pi / 6 + 2 * pi * n), zero(f.a + 5 * pi / 6 + 2 * pi * n);
+      return;
+    case Factor::two_lines: return zero(f.a - f.b), jump(f.a), zero(f.a + 2 * f.b);
+    case Factor::angle: return jump(f.a);
+    case Factor::near: return zero(f.a - f.b), zero(f.a + f.b);
+    default: return zero(f.a), zero(f.a + f.b);
+  }
+}
+
+TEST(SingularEvents, ThousandAtRandomHaveEachZeroOnce) {
+  Uniform draw(8);
+  const double until = 10;
+  int right = 0;
+  for (int i = 0; right < 1000; ++i) {
+    ASSERT_LT(i, 2000);
+    std::vector<Factor> factors(2);
+    std::vector<std::pair<double, bool>> changes;
+    for (Factor& f : factors) {
+      f = {static_cast<Factor::Kind>(static_cast<int>(draw(0, Factor::kinds))), draw(0, until), draw(0.1, 2)};
+      add_changes(f, changes);
+    }
+    std::ranges::sort(changes);
+    bool close = false;  // beside another one g is flat, and rounding moves its zero farther
+    for (std::size_t k = 1; k < changes.size(); ++k) close |= changes[k].first - changes[k - 1].first < 0.05;
+    if (close) continue;
+    const auto g = [&](const auto& t, const auto&) { return value(factors[0], t) * value(factors[1], t); };
+
+    // The sign after all changes, at a time later than all of them, taken back change by change.
+    std::vector<Zero> zeros;
+    Recorded last = value(factors[0], Recorded(until)) * value(factors[1], Recorded(until));
+    bool positive = last.value() > 0;
+    for (auto change = changes.rbegin(); change != changes.rend(); ++change) {
+      if (change->first >= until) continue;
+      if (change->first <= 0) break;
+      if (change->second) zeros.insert(zeros.begin(), {change->first, positive});
+      positive = !positive;
+    }
+    SCOPED_TRACE("function " + std::to_string(i) + " of kinds " + std::to_string(factors[0].kind) + ", " +
+                 std::to_string(factors[1].kind));
+    std::vector<EventHit> hits;
+    RunOptions options;
+    options.events = {{.name = "g", .g = [&](const auto& t, const auto& x, const auto&) { return g(t, x); }}};
+    options.hits = &hits;
+    State<double> state = free_particle(-1, 1).start;
+    const Report report = in_steps(free_particle(-1, 1), draw(0.2, 12)).run(state, until, options);
+    if (report.outcome != Outcome::success) {
+      EXPECT_FALSE(report.message.empty());
+      continue;
+    }
+    expect_zeros(hits, zeros, "");
+    if (HasFailure()) return;
+    ++right;
+  }
+}
+
+}  // namespace
+}  // namespace jetlag::testing::event_singularities_test
