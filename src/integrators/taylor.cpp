@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "jetlag/base/error_free.hpp"
+#include "jetlag/base/text.hpp"
 
 namespace jetlag {
 
@@ -55,7 +56,15 @@ double RandomTaylor::step(State<double>& state, double limit, Report& report) {
   series_.start(state);
   series_.draw(update_);
   series_.grow_to(control_.orders_read(stops().law(), options_.velocity));
-  const double h = control_.propose({expansion(), stops().law(), limit});
+  const double h = up_to_change(control_.propose({expansion(), stops().law(), limit}));
+  if (changes_.is_stuck()) {
+    report = {Outcome::step_underflow,
+              "choices in a force have changed 100 times in a row with next to no time in between, at t = " +
+                  shown(state.time) +
+                  ": the motion slides along a jump of the force or chatters about it; end the run before",
+              -1};
+    return 0.0;
+  }
   if (!advances(state.time, h)) {
     if (all_finite(expansion(), report)) report = step_underflow(expansion(), h);
     return 0.0;
@@ -72,6 +81,17 @@ double RandomTaylor::step(State<double>& state, double limit, Report& report) {
   ++update_;
   count();
   return h;
+}
+
+/// The step h, or up to the first change of a choice in a force, as far as the control reads the series: that does not depend on
+/// the degree that is drawn.
+double RandomTaylor::up_to_change(double h) {
+  if (!expansion().has_conditions() || !(h > 0) || !std::isfinite(h)) return h;
+  series_.grow_to(stops().law().max_degree() + 1);
+  const double unit = expansion().time_unit();
+  std::optional<double> change = series_.series().first_change(h / unit);
+  if (change) *change *= unit;
+  return changes_.step(h, expansion().time(), change);
 }
 
 /// The state at the end of the step h.

@@ -34,6 +34,10 @@
 //     template <int D>              // the way to where the force has a kink or jumps [m]
 //     static Vector<double, D> kink(const Positions<D, 2>& x, double stiffness, double rest_length);
 //
+// A force may make choices: select, abs, min, max, and roots that come to zero. Steps of the schedule lockstep end where one of
+// them changes, found from the series of what decides it. A `kink` takes their place: it costs less, since particles far from
+// it are not looked at, and it is known to the clocks of block and asynchronous schedules, which do not know choices.
+//
 // Invariants, tested for every law of the register (forces.hpp):
 //   - a law between particles conserves momentum: the forces of an element add up to zero to the last bit, those given
 //     in their order, then that on the last participant;
@@ -241,7 +245,9 @@ RecordedLaw record_in_dimension() {
         call_recorded<L, D>(recording, [](const auto& p, const auto&... c) { return forces_of<L>(p, c...); });
     std::vector<Recorded> components;
     for (const auto& f : forces) components.insert(components.end(), f.data(), f.data() + D);
-    law.force = with_separations(recording.finish(components));
+    law.force = recording.finish(components);
+    if (law.kink == nullptr) law.force = with_conditions(std::move(law.force));
+    law.force = with_separations(law.force);
     law.force.parameters = all_parameters;
   }
   constexpr bool has_energy = requires(Participants<Recorded, D, L::participants> p) {

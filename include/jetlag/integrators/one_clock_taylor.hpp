@@ -20,6 +20,7 @@
 #include "jetlag/base/work.hpp"
 #include "jetlag/control/control.hpp"
 #include "jetlag/control/jorba_zou.hpp"
+#include "jetlag/integrators/steps_to_changes.hpp"
 #include "jetlag/integrators/stopped_series.hpp"
 
 namespace jetlag {
@@ -52,10 +53,11 @@ struct OneClockRunOptions {
 /// y(t + h) = sum_{k=0..N} y_k h^k,   h by the rule of Jorba and Zou.         Source: [JZ05] 3.
 /// With a law:  sum_{k=0..K} w_k y_k h^k,   of mean-square order min(N, m + 1/2), weak order min(N, 2m + 1).
 ///
-/// A Method whose f knows its conditions (has_conditions, first_change, known_orders, scale, defect) may have kinks and jumps:
+/// Forces may have kinks and jumps:
 ///   - a step ends just beyond the first time at which a choice that was made at its beginning changes, of any length that
 ///     was asked for. 100 such steps in a row of next to no length, as of a motion that slides along a jump or chatters
 ///     about it, end the run as step_underflow;
+/// and of a Method that computes f at a state (known_orders, scale, defect, rests):
 ///   - where the series has no more than its first coefficients, as that of |v| v has for v = 0, the step uses these and is
 ///     so short that they suffice, if there is a whole series at its end;
 ///   - where f is not recorded otherwise (a root that reaches zero, the cut of atan2) it shows in the defect: y' at the end of
@@ -125,25 +127,22 @@ class OneClockTaylor {
   }
   static TruncationLaw law_of(const Options& options) { return known_beforehand(truncation_of(options)); }
 
-  static constexpr bool knows_conditions = requires(Method& method) { method.has_conditions(); };
-  static constexpr int most_instants = 100;
+  static constexpr bool knows_f = requires(Method& method) { method.known_orders(); };
 
   T proposal(const T& limit) const;
   T length(const T& limit);
-  T up_to_change(const T& h)
-    requires knows_conditions;
+  T up_to_change(const T& h);
   bool agrees_with_f(const T& time, T& h)
-    requires knows_conditions;
+    requires knows_f;
   bool leads_on(const T& h)
-    requires knows_conditions;
+    requires knows_f;
   Report refusal(const T& time, const T& h, bool contradicted) const;
   Report underflow(const T& time, const T& h) const;
 
   State begin_, next_;  // of the last step; room for the end of one
   std::uint64_t update_ = 0;
   int known_ = std::numeric_limits<int>::max();  // the orders of the series that exist
-  bool to_change_ = false;                       // whether the step leads to a change
-  int instants_ = 0;                             // steps in a row of next to no length, each to a change
+  StepsToChanges<T> changes_;
 };
 
 // ---- definitions -----------------------------------------------------------------------------------------
@@ -177,7 +176,7 @@ auto OneClockTaylor<Method, Series, State, Options>::step(State& state, const T&
   }
   series_.stop(h, update_);
   self().sum(state, h, next_);
-  if constexpr (knows_conditions) {
+  if constexpr (knows_f) {
     if (!options_.law && !agrees_with_f(state.time, h)) {
       if (self().series_is_finite(report)) report = refusal(state.time, h, true);
       return T(0);
@@ -192,7 +191,7 @@ auto OneClockTaylor<Method, Series, State, Options>::step(State& state, const T&
     if (!self().series_is_finite(of_series)) report = of_series;
     return T(0);
   }
-  if (instants_ >= most_instants) {
+  if (changes_.is_stuck()) {
     report = refusal(state.time, h, false);
     return T(0);
   }
@@ -211,15 +210,16 @@ template <class Method, class Series, class State, class Options>
 auto OneClockTaylor<Method, Series, State, Options>::length(const T& limit) -> T {
   using std::abs;
   known_ = std::numeric_limits<int>::max();
-  if constexpr (!knows_conditions) {
-    return proposal(limit);
+  if constexpr (!knows_f) {
+    if (options_.step && self().has_conditions()) series_.grow_to(self().orders_read());
+    return up_to_change(proposal(limit));
   } else {
     if (options_.step && (!options_.law || self().has_conditions())) series_.grow_to(self().orders_read());
     const int known = self().known_orders();
     if (options_.law || known < 1 || known >= std::min(series().order(), series_.stops().degree()))
       return up_to_change(proposal(limit));
     known_ = known;
-    to_change_ = false;
+    changes_.take_none();
     const double scale = self().scale();
     const T most = scale > 0 && scale < static_cast<double>(T(abs(limit))) ? T(scale) : abs(limit);
     return limit < T(0) ? T(-most) : most;
@@ -229,31 +229,21 @@ auto OneClockTaylor<Method, Series, State, Options>::length(const T& limit) -> T
 /// The step h, or what leads just beyond the first change of a condition: far enough that the next step sees it, which may
 /// take some places of the time and of y, more where that was not enough before.
 template <class Method, class Series, class State, class Options>
-auto OneClockTaylor<Method, Series, State, Options>::up_to_change(const T& h) -> T
-  requires knows_conditions
-{
+auto OneClockTaylor<Method, Series, State, Options>::up_to_change(const T& h) -> T {
   using std::abs;
-  to_change_ = false;
+  changes_.take_none();
   if (h == T(0) || !finite(h) || !self().has_conditions()) return h;
   const T unit = abs(series().time_unit()), length = abs(h);
-  T shorter = length;
-  if (const std::optional<T> change = self().first_change(T(length / unit))) {
-    const T time = abs(series().time());
-    const T least = std::numeric_limits<T>::epsilon() * (time < length ? length : time) *
-                    T(std::ldexp(1.0, std::min(instants_, 20)));
-    shorter = T(*change * unit);
-    if (shorter < least) shorter = least;
-    if (length < shorter) shorter = length;
-    to_change_ = true;
-  }
-  instants_ = shorter < length * T(0x1p-20) ? instants_ + 1 : 0;
-  return h < T(0) ? T(-shorter) : shorter;
+  std::optional<T> change = self().first_change(T(length / unit));
+  if (change) change = T(*change * unit);
+  const T step = changes_.step(length, series().time(), change);
+  return h < T(0) ? T(-step) : step;
 }
 
 /// Whether the end of the step agrees with f there, after halving it where it does not. False where no step does.
 template <class Method, class Series, class State, class Options>
 bool OneClockTaylor<Method, Series, State, Options>::agrees_with_f(const T& time, T& h)
-  requires knows_conditions
+  requires knows_f
 {
   const double eps = static_cast<double>(std::numeric_limits<T>::epsilon());
   const int degree = options_.degree;
@@ -266,9 +256,9 @@ bool OneClockTaylor<Method, Series, State, Options>::agrees_with_f(const T& time
     if (singular && unseen == 0 && std::isfinite(size)) unseen = 0x1p-80 * size;
     return !(defect > std::max(allowed * size, unseen));
   };
-  if (to_change_) {  // at its end f has gone another way: a little before
+  if (changes_.is_to_change()) {  // at its end f has gone another way: a little before
     const T before = h * T(1 - 0x1p-20);
-    if (instants_ > 0 || T(time + before) == T(time + h)) return true;
+    if (changes_.is_instant() || T(time + before) == T(time + h)) return true;
     self().sum(begin_, before, next_);
     const bool right = agrees(before);
     if (!right) h = before;
@@ -288,7 +278,7 @@ bool OneClockTaylor<Method, Series, State, Options>::agrees_with_f(const T& time
 /// back: as y = 0 of y' = -sqrt(y), and not that of y' = sqrt(y), from which it may depart at any time.
 template <class Method, class Series, class State, class Options>
 bool OneClockTaylor<Method, Series, State, Options>::leads_on(const T& h)
-  requires knows_conditions
+  requires knows_f
 {
   State end = next_;
   end.time = T(begin_.time + h);
@@ -310,10 +300,10 @@ Report OneClockTaylor<Method, Series, State, Options>::refusal(const T& time, co
                 "abs, "
                 "min or max, which are watched",
             -1};
-  if (instants_ >= most_instants)
+  if (changes_.is_stuck())
     return {Outcome::step_underflow,
-            "choices in f have changed " + std::to_string(most_instants) +
-                " times in a row with next to no time in between, at t = " + shown(time) +
+            "choices in f have changed 100 times in a row with next to no time in between, at t = " +
+                shown(time) +
                 ": the motion slides along a jump of f or chatters about it; end the run before",
             -1};
   return underflow(time, h);

@@ -8,6 +8,7 @@
 
 #include "jetlag/control/to_kinks.hpp"
 #include "jetlag/integrators/integrator.hpp"
+#include "jetlag/integrators/steps_to_changes.hpp"
 #include "jetlag/integrators/stopped_series.hpp"
 #include "jetlag/motion/expansion.hpp"
 #include "jetlag/truncation/draws.hpp"
@@ -26,7 +27,9 @@ namespace jetlag {
 /// draw for each, of its particle; it is asked after each order, and no order is computed that is not needed. Where the
 /// control reads the series, all are. What a control learns of a sequential law is its lower bound.
 ///
-/// Steps that a control chooses end at kinks of forces (control/to_kinks.hpp).
+/// Steps that a control chooses end at kinks of forces (control/to_kinks.hpp), and all steps where a choice in a force changes
+/// (forces/force.hpp); 100 of these in a row of next to no length, as of a motion that slides along a jump of the force, end
+/// the run as step_underflow.
 class RandomTaylor final : public Integrator {
  public:
   struct Options {
@@ -68,6 +71,7 @@ class RandomTaylor final : public Integrator {
   void exchange(Member& member);
 
  private:
+  double up_to_change(double h);
   void sum(const State<double>& from, double h, State<double>& to) const;
   void add_increments(State<double>& state, double s) const;
   void weighted_sum(bool of_velocity, double s, int first, Coordinates<double>& sum) const;
@@ -78,6 +82,7 @@ class RandomTaylor final : public Integrator {
   Options options_;
   StoppedSeries<Expansion<double>> series_;
   ToKinks control_;
+  StepsToChanges<double> changes_;
   std::vector<bool> fixed_;
   int moving_;
   State<double> next_;  // room for the state at the end of a step

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "jetlag/model/system.hpp"
+#include "jetlag/series/calculus/first_change.hpp"
 #include "jetlag/tape/program.hpp"
 
 namespace jetlag {
@@ -82,6 +83,13 @@ class ElementBlocks {
 
   /// Adds what the chunks have pushed onto a particle: orders k .. k + orders - 1, as in `push`.
   void collect(int particle, int k, int orders, T* force, std::size_t next_order) const;
+
+  /// Whether the law makes choices that may change.
+  bool has_conditions() const { return !blocks_.program().conditions.empty(); }
+
+  /// The first s in (0, h], in units of time, at which a choice of one of the elements would be made otherwise than at the
+  /// beginning, as far as orders below `orders` tell; h if there is none.
+  T first_change(int orders, T h);
 
   /// The sum of output 0 at order 0 over all elements.
   T sum(const MotionRows<T>& motion);
@@ -279,6 +287,28 @@ inline void ElementBlocks<T>::collect(int particle, int k, int orders, T* force,
     for (int e = first_of_particle_[particle]; e < first_of_particle_[particle + 1]; ++e)
       for (int c = 0; c < stride; ++c) to[c] += pushed[static_cast<std::size_t>(own_rows_[e]) * stride + c];
   }
+}
+
+/// Most conditions are far from a change: |c_0| > sum_{k>0} |c_k| h^k.
+template <class T>
+T ElementBlocks<T>::first_change(int orders, T h) {
+  using std::abs;
+  std::vector<T> rest(blocks_.lanes()), c(orders);
+  for (std::size_t b = 0; b < blocks_.blocks(); ++b)
+    for (const auto& [place, at_zero] : blocks_.program().conditions) {
+      std::ranges::fill(rest, T(0));
+      for (int k = orders - 1; k > 0; --k) {
+        const T* of_order = blocks_.at(b, place, k);
+        for (std::size_t lane = 0; lane < rest.size(); ++lane)
+          rest[lane] = (rest[lane] + abs(of_order[lane])) * h;
+      }
+      for (int lane = 0; lane < blocks_.active(b); ++lane) {
+        if (rest[lane] < abs(blocks_.at(b, place, 0)[lane])) continue;
+        for (int k = 0; k < orders; ++k) c[k] = blocks_.at(b, place, k)[lane];
+        if (const auto s = jetlag::first_change<T>(std::span<const T>(c), at_zero, h)) h = *s;
+      }
+    }
+  return h;
 }
 
 template <class T>

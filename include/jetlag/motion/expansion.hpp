@@ -21,6 +21,7 @@
 #include <bit>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -46,7 +47,7 @@ class Expansion {
   void move_to(const Model<T>& model);
 
   /// Starts anew from a state: coefficients 0 and 1 of x are known. Shapes (particles, dimension).
-  /// time_unit [s]: positive and finite.
+  /// time_unit [s]: finite and not 0. A negative one leads backwards: choices are those of the time before.
   /// Throws std::invalid_argument for a state of another shape and for a fixed particle that is not at rest.
   void start(const State<T>& state, const T& time_unit = T(1));
 
@@ -87,6 +88,12 @@ class Expansion {
   /// A bound of how far each particle goes from a straight line: sum_{n=2..last} |c_n| s^n, |.| the sum of the components
   /// of the positions' coefficients.   into: shape (particles).
   void curve(int last, const T& s, std::vector<T>& into) const;
+
+  /// Whether a force makes choices that may change; see forces/force.hpp.
+  bool has_conditions() const;
+  /// The first s in (0, h], in units of time, at which a choice that was made at the start would be made otherwise, as far as
+  /// the forces are known; nothing if there is none.
+  std::optional<T> first_change(const T& h);
 
   /// (element, order) pairs computed since construction: the honest unit of cost.
   std::size_t element_coefficients() const { return element_coefficients_; }

@@ -75,8 +75,8 @@ void Expansion<T>::pad(const Coordinates<T>& rows, T* to) const {
 template <class T>
 void Expansion<T>::restart(const T& time_unit) {
   using std::isfinite;
-  if (!(time_unit > T(0)) || !isfinite(time_unit))
-    throw std::invalid_argument("Expansion: the unit of time must be > 0 and finite");
+  if (time_unit == T(0) || !isfinite(time_unit))
+    throw std::invalid_argument("Expansion: the unit of time must be finite and not 0");
   if (push_.empty() || time_unit_ != time_unit) {
     push_.resize(inverse_mass_.size());
     for (std::size_t i = 0; i < push_.size(); ++i) push_[i] = inverse_mass_[i] * time_unit;
@@ -125,6 +125,19 @@ void Expansion<T>::curve(int last, const T& s, std::vector<T>& into) const {
     }
     for (std::size_t i = 0; i < size; ++i) into[(begin + i) >> log_stride] += total[i] * s;
   }
+}
+
+template <class T>
+bool Expansion<T>::has_conditions() const {
+  return std::ranges::any_of(laws_, [](const auto& law) { return law.count() > 0 && law.has_conditions(); });
+}
+
+template <class T>
+std::optional<T> Expansion<T>::first_change(const T& h) {
+  T first = h;
+  for (auto& law : laws_)
+    if (law.count() > 0 && law.has_conditions()) first = law.first_change(order_ - 1, first);
+  return first < h ? std::optional<T>(first) : std::nullopt;
 }
 
 template <class T>

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+// Forces that make choices: a step ends where one changes, whatever it depends on.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "jetlag/control/fixed_step.hpp"
+#include "jetlag/control/jorba_zou.hpp"
+#include "jetlag/forces/forces.hpp"
+#include "jetlag/integrators/particle_taylor.hpp"
+#include "jetlag/integrators/taylor.hpp"
+#include "jetlag/schedule/lockstep.hpp"
+
+namespace jetlag::testing {
+namespace {
+
+/// F = -c |v| v.
+struct QuadraticDrag {
+  static constexpr const char* name = "quadratic_drag";
+  static constexpr int participants = 1;
+  static constexpr std::array parameters{"coefficient"};
+  template <class T, int D>
+  static Vector<T, D> force(const Participants<T, D, 1>& p, const T& c) {
+    return T(-c * p.velocity[0].norm()) * p.velocity[0];
+  }
+};
+
+/// Pulls where |x| > 1:  F = -k (|x| - 1) x / |x|.
+struct Rope {
+  static constexpr const char* name = "rope";
+  static constexpr int participants = 1;
+  static constexpr std::array parameters{"stiffness"};
+  template <class T, int D>
+  static Vector<T, D> force(const Participants<T, D, 1>& p, const T& k) {
+    const T length = p.position[0].norm();
+    return T(select(length > 1.0, T(-k * (length - 1.0) / length), T(0.0))) * p.position[0];
+  }
+};
+
+/// 1 N along x for 1 <= t < 2.
+struct Push {
+  static constexpr const char* name = "push";
+  static constexpr int participants = 1;
+  static constexpr std::array<const char*, 0> parameters{};
+  template <class T, int D>
+  static Vector<T, D> force(const Participants<T, D, 1>& p) {
+    Vector<T, D> f = Vector<T, D>::Constant(T(0.0));
+    f[0] = select(p.time >= 1.0 && p.time < 2.0, T(1.0), T(0.0));
+    return f;
+  }
+};
+
+/// F = -sign(v): dry friction.
+struct Friction {
+  static constexpr const char* name = "friction";
+  static constexpr int participants = 1;
+  static constexpr std::array<const char*, 0> parameters{};
+  template <class T, int D>
+  static Vector<T, D> force(const Participants<T, D, 1>& p) {
+    Vector<T, D> f;
+    for (int c = 0; c < D; ++c) f[c] = select(p.velocity[0][c] > 0.0, T(-1.0), T(1.0));
+    return f;
+  }
+};
+
+State<> at(std::initializer_list<double> x, std::initializer_list<double> v) {
+  const auto row = [](std::initializer_list<double> values) {
+    Coordinates<> c(1, values.size());
+    std::copy(values.begin(), values.end(), c.data());
+    return c;
+  };
+  return {0.0, row(x), row(v)};
+}
+
+struct Way {
+  const char* name;
+  std::function<Report(const System<>&, State<>&, double until)> run;
+  bool steps_are_given = false;
+};
+
+/// Lockstep with steps of a control and with steps of one length, and Taylor's method of any number type.
+std::vector<Way> ways() {
+  const auto lockstep = [](std::function<std::unique_ptr<Control>()> control) {
+    return [control](const System<>& system, State<>& state, double until) {
+      return Lockstep(taylor(system, 20, control())).run(state, until, RunOptions{});
+    };
+  };
+  return {{"jorba_zou", lockstep([] { return std::make_unique<JorbaZou>(); })},
+          {"fixed steps", lockstep([] { return std::make_unique<FixedStep>(0.031); }), true},
+          {"one clock", [](const System<>& system, State<>& state, double until) {
+             return ParticleTaylor<>(system).run(state, until);
+           }}};
+}
+
+/// Some hundred steps, each right to rounding.
+constexpr double rounding = 1e-12;
+
+TEST(ChangingForce, DragTurnsRoundWithTheMotion) {  // atan on the way up, tanh on the way down
+  System<> system(2, {1.0});
+  system.add<QuadraticDrag>({{0}}, {{0.1}});
+  system.add<UniformField>({{0}}, {{0.0, -9.8, 0.0}});
+  for (const Way& way : ways()) {
+    State<> state = at({0, 0}, {0, 10});
+    const Report report = way.run(system, state, 2);
+    // Beside v = 0 rounding leaves little of the series of |v|: steps that are given are too long there, and say so.
+    if (way.steps_are_given && report.outcome == Outcome::non_finite) continue;
+    EXPECT_EQ(report.outcome, Outcome::success) << way.name << ": " << report.message;
+    EXPECT_NEAR(state.position(0, 1), -2.33261407566854, 10 * rounding) << way.name;
+    EXPECT_NEAR(state.velocity(0, 1), -8.2206226286468, 10 * rounding) << way.name;
+  }
+}
+
+TEST(ChangingForce, ARopePullsWhenItIsTight) {  // a line, half a period of 10 rad/s, the line back
+  System<> system(1, {1.0});
+  system.add<Rope>({{0}}, {{100.0}});
+  for (const Way& way : ways()) {
+    State<> state = at({0.5}, {1});
+    const Report report = way.run(system, state, 1);
+    EXPECT_EQ(report.outcome, Outcome::success) << way.name << ": " << report.message;
+    EXPECT_NEAR(state.position(0, 0), 0.5 + M_PI / 10, rounding) << way.name;
+    EXPECT_NEAR(state.velocity(0, 0), -1, rounding) << way.name;
+  }
+}
+
+TEST(ChangingForce, OfTimeIsMetOnTime) {
+  System<> system(2, {1.0});
+  system.add<Push>({{0}}, {std::array<double, 0>{}});
+  for (const Way& way : ways()) {
+    State<> state = at({0, 0}, {0, 1});
+    EXPECT_EQ(way.run(system, state, 17).outcome, Outcome::success) << way.name;
+    EXPECT_NEAR(state.position(0, 0), 0.5 + 15, 20 * rounding) << way.name;
+    EXPECT_NEAR(state.velocity(0, 0), 1, rounding) << way.name;
+  }
+}
+
+TEST(ChangingForce, ParticlesFindTheirWayBack) {
+  System<> system(1, {1.0});
+  system.add<Rope>({{0}}, {{100.0}});
+  ParticleTaylor<> method(system);
+  State<> state = at({0.5}, {1});
+  ASSERT_EQ(method.run(state, 0.6).outcome, Outcome::success);
+  ASSERT_EQ(method.run(state, 0).outcome, Outcome::success);
+  EXPECT_NEAR(state.position(0, 0), 0.5, rounding);
+  EXPECT_NEAR(state.velocity(0, 0), 1, 100 * rounding);
+}
+
+TEST(ChangingForce, FrictionThatStopsAMotionIsAnOutcome) {
+  System<> system(1, {1.0});
+  system.add<Friction>({{0}}, {std::array<double, 0>{}});
+  for (const Way& way : ways()) {
+    State<> state = at({0}, {1});
+    const Report report = way.run(system, state, 3);
+    EXPECT_EQ(report.outcome, Outcome::step_underflow) << way.name;
+    EXPECT_NE(report.message.find("slides"), std::string::npos) << report.message;
+    EXPECT_NEAR(state.time, 1, 1e-6) << way.name;
+    EXPECT_NEAR(state.position(0, 0), 0.5, 1e-6) << way.name;
+  }
+}
+
+TEST(ChangingForce, WithoutChoicesNothingIsWatched) {
+  System<> system(2, {1.0, 1.0});
+  system.add<Gravity>({{0, 1}}, {{1.0}});
+  system.add<Spring>({{0, 1}}, {{1.0, 1.0}});
+  system.add<Floor>({{0}}, {{1.0, 0.0, 0.0, 1.0, 0.0}});
+  EXPECT_FALSE(Expansion<>(system).has_conditions());  // their kinks and poles are known otherwise
+  system.add<QuadraticDrag>({{0}}, {{0.1}});
+  EXPECT_TRUE(Expansion<>(system).has_conditions());
+}
+
+}  // namespace
+}  // namespace jetlag::testing
