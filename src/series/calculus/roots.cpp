@@ -98,22 +98,56 @@ void separate(const Span& span, std::span<const double> c, std::vector<double>& 
   separate(after, c, places);
 }
 
+struct Magnitudes {
+  std::span<const double> c;
+  std::size_t size() const { return c.size(); }
+  double operator[](std::size_t k) const { return std::abs(c[k]); }
+};
+
+/// The sign of c(s) in real arithmetic. Where the digits of accurate_value do not tell, Horner's rule goes on in sums of
+/// doubles that do not overlap, without a rounding: N (N+1) products at most.
+/// Source: Shewchuk, Discrete Comput. Geom. 18 (1997) 305: scale-expansion, grow-expansion.   Range: no underflow.
+int exact_sign(std::span<const double> c, double s) {
+  const double value = accurate_value(c, s);
+  const double n = static_cast<double>(c.size()) * std::numeric_limits<double>::epsilon();
+  if (!(std::abs(value) <= 2 * n * n * evaluate(Magnitudes{c}, s))) return sign(value);
+  std::vector<double> sum, next;  // components of rising size, none of them 0
+  const auto put = [&next](double x) {
+    if (x != 0) next.push_back(x);
+  };
+  for (std::size_t k = c.size(); k-- > 0;) {
+    double carry = 0;
+    for (const double x : sum) {  // sum * s
+      const auto product = two_product(x, s);
+      const auto low = two_sum(carry, product.low);
+      const auto high = two_sum(product.high, low.high);
+      put(low.low), put(high.low);
+      carry = high.high;
+    }
+    put(carry);
+    std::swap(sum, next), next.clear();
+    carry = c[k];
+    for (const double x : sum) {  // sum + c_k
+      const auto both = two_sum(carry, x);
+      put(both.low);
+      carry = both.high;
+    }
+    put(carry);
+    std::swap(sum, next), next.clear();
+  }
+  return sum.empty() ? 0 : sign(sum.back());
+}
+
 /// The first double in (low, high] at which c no longer has the sign `side`; low >= 0 has it, high has the other.
 /// Doubles >= 0 are ordered as their bits are, so that at most 62 halvings of the bits find it.
 double first_beyond(std::span<const double> c, int side, double low, double high) {
   auto has = std::bit_cast<std::uint64_t>(low), has_not = std::bit_cast<std::uint64_t>(high);
   while (has_not - has > 1) {
     const std::uint64_t middle = has + (has_not - has) / 2;
-    (sign(accurate_value(c, std::bit_cast<double>(middle))) == side ? has : has_not) = middle;
+    (exact_sign(c, std::bit_cast<double>(middle)) == side ? has : has_not) = middle;
   }
   return std::bit_cast<double>(has_not);
 }
-
-struct Magnitudes {
-  std::span<const double> c;
-  std::size_t size() const { return c.size(); }
-  double operator[](std::size_t k) const { return std::abs(c[k]); }
-};
 
 }  // namespace
 
@@ -160,7 +194,7 @@ std::vector<SignChange> sign_changes(std::span<const double> c, double h) {
   for (const double place : places) {
     const double value = accurate_value(c, place);
     if (place != end && std::abs(value) <= rounding_of(c, place)) continue;
-    if (sign(value) == -side) {
+    if (exact_sign(c, place) == -side) {
       const double s = first_beyond(c, side, low, place);
       if (s <= h) found.push_back({s, side < 0});
       side = -side;

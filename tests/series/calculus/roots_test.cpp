@@ -171,6 +171,38 @@ TEST(SignChanges, AreRootsOfOddMultiplicity) {
   }
 }
 
+TEST(SignChanges, AtRootsOfOddMultiplicityAreExactWhereTheCoefficientsAre) {
+  EXPECT_THAT(sign_changes(Coefficients{-1.0, 3.0, -3.0, 1.0}, 3.0), ElementsAre(SignChange{1.0, true}));
+  for (const int multiplicity : {3, 5, 7, 9})
+    for (const double a :
+         {0.25, 0.375, 0.5, 0.625, 1.0, 1.5, 3.0})  // a^9 has at most 27 bits: no coefficient is rounded
+      for (const double h : {3.5, 10.0, 1000.0}) {
+        const Coefficients c = with_roots(std::vector<double>(multiplicity, a));
+        EXPECT_THAT(sign_changes(c, h), ElementsAre(SignChange{a, true})) << a << ", " << multiplicity;
+      }
+}
+
+TEST(SignChanges,
+     BesideARootOfOddMultiplicityAreExact) {  // (s - 1/2)^3 (s - 2)^2 (s - 3), whole numbers over 8
+  EXPECT_THAT(sign_changes(with_roots({0.5, 0.5, 0.5, 2.0, 2.0, 3.0}), 5.0),
+              ElementsAre(SignChange{0.5, false}, SignChange{3.0, true}));
+  EXPECT_THAT(sign_changes(with_roots({0.5, 0.5, 0.5, 1.5, 1.5, 1.5}), 5.0),
+              ElementsAre(SignChange{0.5, false}, SignChange{1.5, true}));
+}
+
+TEST(SignChanges, OfRoundedCoefficientsAreThoseOfThePolynomialTheyAre) {
+  // (s - a)^3, a with 53 bits: rounded, its three roots are up to 1e-5 from a; the sign in 50 digits changes there.
+  Uniform random(5);
+  for (int i = 0; i < 50; ++i) {
+    const double a = random(0.1, 0.9);
+    const Coefficients c = with_roots({a, a, a});
+    const auto found = sign_changes(c, 1.0);
+    ASSERT_EQ(found.size(), 1u) << a << ", seed 5";
+    EXPECT_GE(evaluate(in_50_digits(c), Digits50(found[0].s)), 0) << a;
+    EXPECT_LT(evaluate(in_50_digits(c), Digits50(std::nextafter(found[0].s, 0.0))), 0) << a;
+  }
+}
+
 TEST(SignChanges, AtTheBordersOfTheInterval) {
   // A root at 0 is left, one at h is reached; the doubles beside h are told apart.
   EXPECT_THAT(sign_changes(Coefficients{0.0, 1.0}, 1.0), IsEmpty());
