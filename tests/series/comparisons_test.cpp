@@ -20,16 +20,50 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // ---- comparisons -----------------------------------------------------------------------------------------
 
-TEST(Comparison, IsThatOfTheFirstCoefficients) {
-  const J one = J::from({1, 5, 5}), two = J::from({2, -7, 1}), also_one = J::from({1, -3});
+TEST(Comparison, IsThatOfTheFirstCoefficientsThatDiffer) {
+  const J one = J::from({1, 5, 5}), two = J::from({2, -7, 1}), less_soon = J::from({1, -3});
   EXPECT_TRUE(one < two);
   EXPECT_FALSE(two < one);
-  EXPECT_FALSE(one < also_one);
-  EXPECT_TRUE(one <= also_one);
-  EXPECT_TRUE(one >= also_one);
-  EXPECT_FALSE(one > also_one);
   EXPECT_TRUE(two > one);
-  EXPECT_FALSE(one == also_one);  // equality is that of series
+  EXPECT_FALSE(one < less_soon);
+  EXPECT_FALSE(one <= less_soon);
+  EXPECT_TRUE(one >= less_soon);
+  EXPECT_TRUE(one > less_soon);
+  EXPECT_FALSE(one == less_soon);
+  EXPECT_TRUE(one <= one);
+  EXPECT_TRUE(one >= one);
+  EXPECT_FALSE(one < one);
+}
+
+TEST(Comparison,
+     IsThatOfValuesSoonAfterTheStart) {  // t = 1/64: 64 > 1 + 3 (1 + 1/64 + ...), a later term never decides
+  Uniform draw(6);
+  for (int i = 0; i < 100; ++i) {
+    J u, v;
+    for (int k = 0; k <= J::degree; ++k) u[k] = std::floor(draw(-1, 2)), v[k] = std::floor(draw(-1, 2));
+    EXPECT_EQ(u < v, u(0x1p-6) < v(0x1p-6));
+    EXPECT_EQ(u <= v, u(0x1p-6) <= v(0x1p-6));
+    EXPECT_EQ(u == v, u(0x1p-6) == v(0x1p-6));
+  }
+}
+
+TEST(Comparison, OfSquaresWithZeroIsNotThatOfEquals) {
+  EXPECT_TRUE(t * t > 0.0);
+  EXPECT_FALSE(t * t <= 0.0);
+  EXPECT_TRUE(-t < 0.0);
+  EXPECT_TRUE(0.0 * t <= 0.0);
+}
+
+TEST(Comparison, OfDynamicJetsIsOfWhatBothKnow) {
+  using D = Jet<double, Dynamic>;
+  const D u = D::from({1, 2}), v = D::from({1, 2, 3}), w = D::from({1, 2, 5});
+  EXPECT_TRUE(v < w);
+  EXPECT_FALSE(u < w);
+  EXPECT_TRUE(u <= w);
+  EXPECT_TRUE(u >= w);
+  EXPECT_TRUE(u > 1.0);  // a constant knows all
+  EXPECT_FALSE(D(1.0) >= u);
+  EXPECT_TRUE(D(1.0) < D(2.0));
 }
 
 TEST(Comparison, TakesPlainNumbersOnEitherSide) {
@@ -37,8 +71,8 @@ TEST(Comparison, TakesPlainNumbersOnEitherSide) {
   EXPECT_TRUE(u > 0.5);
   EXPECT_TRUE(u > 0);
   EXPECT_TRUE(0.5 < u);
-  EXPECT_TRUE(u <= 1.0);
-  EXPECT_TRUE(1.0 >= u);
+  EXPECT_TRUE(u >= 1.0);
+  EXPECT_FALSE(1.0 >= u);  // it has left 1 upwards
   EXPECT_FALSE(2.0 < u);
 }
 
@@ -50,12 +84,12 @@ TEST(Comparison, WithNaNDoesNotHold) {
   EXPECT_FALSE(u >= 1.0);
 }
 
-TEST(Comparison, OfJetsOfJetsIsThatOfTheInnermostNumbers) {
+TEST(Comparison, OfJetsOfJetsIsThatOfTheFirstThatDiffer) {
   using Nested = Jet<Jet<double, 2>, 3>;
   const Nested u(Jet<double, 2>::from({1, 9})), v(Jet<double, 2>::from({1, -9}));
-  EXPECT_TRUE(u <= v);
-  EXPECT_FALSE(u < v);
-  EXPECT_TRUE(u + 1.0 > v);
+  EXPECT_FALSE(u <= v);
+  EXPECT_TRUE(u > v);
+  EXPECT_TRUE(v + 1.0 > u);
 }
 
 // ---- select ----------------------------------------------------------------------------------------------
@@ -87,9 +121,11 @@ TEST(Select, IsNotHarmedByABranchThatIsNotSelected) {
   EXPECT_EQ(select(t > 1.0, J(nan), 1.0), J(1.0));
 }
 
-TEST(Select,
-     DecidesAtTheExpansionPoint) {  // both pieces of a continuous function are analytic: no kink is seen
+TEST(Select, DecidesSoonAfterTheExpansionPoint) {
   EXPECT_EQ(select(t < 0.0, -t, t), t);
+  EXPECT_EQ(select(-t < 0.0, t, -t), t);
+  EXPECT_EQ(select(t > 0.0, 1.0 + t, 2.0), 1.0 + t);
+  EXPECT_EQ(select(-t * t >= 0.0, 1.0, 2.0), 2.0);
 }
 
 // ---- the sign of a series --------------------------------------------------------------------------------
@@ -106,11 +142,30 @@ TEST(Abs, HasNoKinkAtAZeroOfEvenOrder) {
   EXPECT_EQ(abs(-square(square(t))), square(square(t)));
 }
 
-TEST(Abs, AtAZeroOfOddOrderIsThatOfTheRightHalf) {
+TEST(Abs, AtAKinkIsThatOfTheSideThatIsEntered) {  // t >= 0
   EXPECT_EQ(abs(t), t);
   EXPECT_EQ(abs(-t), t);
   EXPECT_EQ(abs(-t * t * t), t * t * t);
   EXPECT_EQ(abs(t * t - t), t - t * t);  // |t| (1 - t)
+  EXPECT_EQ(abs(sin(-t)), sin(t));
+}
+
+TEST(Abs, OfCheckedAndDynamicJetsIsTheSame) {
+  const auto x = CheckedJet<double, 4>::variable(0.0);
+  EXPECT_EQ(abs(-x), x);
+  EXPECT_EQ(max(-x, x), x);
+  const auto y = Jet<double, Dynamic>::variable(0.0, 4);
+  EXPECT_EQ(abs(-y), y);
+  EXPECT_EQ(abs(0.0 * y), 0.0 * y);
+  EXPECT_EQ(abs(0.0 * y).degree(), 4);
+  EXPECT_EQ(min(y, Jet<double, Dynamic>::from({0, 0, 1})).degree(), 2);
+}
+
+TEST(Abs, OfWhatVanishesAsFarAsItIsKnownIsZero) { EXPECT_EQ(abs(-pow(t, 5)), J(0.0)); }
+
+TEST(Abs, BeyondACoefficientThatIsNotKnownIsNotKnown) {
+  EXPECT_EQ(known_degree(abs(J::from({0, nan, 1}))), 0);
+  EXPECT_EQ(abs(J::from({0, -1, nan, 1}))[1], 1.0);
 }
 
 TEST(Abs, OfZeroIsZero) { EXPECT_EQ(abs(J(0.0)), J(0.0)); }
@@ -147,12 +202,15 @@ TEST(MinMax, LookFurtherWhereTheFirstCoefficientsAgree) {
   EXPECT_EQ(max(v, u), v);
 }
 
-TEST(MinMax, WhereTheSeriesCrossAreThoseOfTheRightHalf) {
+TEST(MinMax, WhereTheSeriesCrossAreThoseOfTheSideThatIsEntered) {
   const J u = J::from({1, 2, 3, 4}), v = J::from({1, 2, 3, 5});
   EXPECT_EQ(min(u, v), u);
+  EXPECT_EQ(min(v, u), u);
   EXPECT_EQ(max(u, v), v);
   EXPECT_EQ(max(t, 0.0), t);
   EXPECT_EQ(max(-t, 0.0), J(0.0));
+  EXPECT_EQ(min(sin(t), 0.0), J(0.0));
+  EXPECT_EQ(max(sin(t), 0.0), sin(t));
 }
 
 TEST(MinMax, OfEqualSeriesIsEither) {

@@ -112,14 +112,15 @@ TEST(NestedJet, OfDynamicJetsIsAJet) {
   for (int i = 0; i <= 5; ++i) EXPECT_EQ(u[i], Inner(v[i])) << i;
 }
 
-TEST(NestedJet, IsComparedByItsValue) {
+TEST(NestedJet, IsComparedByTheFirstCoefficientThatDiffers) {
   using J = Jet<Jet<double, 1>, 2>;
   const J u = J::variable(Jet<double, 1>::variable(2.0));
   EXPECT_GT(u, 1.0);
   EXPECT_LT(u, J(3.0));
-  EXPECT_FALSE(u < 2.0 || u > 2.0);
-  EXPECT_LE(u, 2.0);
-  EXPECT_NE(u, 2.0);  // equality is of all coefficients
+  EXPECT_GT(u, 2.0);  // 2 + s + t
+  EXPECT_GT(u, 2.0 + J::variable(0.0));
+  EXPECT_LE(u, u);
+  EXPECT_NE(u, 2.0);
   EXPECT_TRUE(isfinite(u));
   EXPECT_FALSE(isfinite(log(u - 2.0)));
 }

@@ -20,7 +20,7 @@ namespace jetlag {
 
 using std::abs, std::max, std::min;  // plain numbers
 
-// ---- comparisons: < <= > >= of jets are those of coefficient 0 (jet.hpp) -----------------------------------
+// ---- comparisons: < <= > >= of jets are those for small t > 0 (jet.hpp) -------------------------------------
 
 /// a if the condition holds, else b. Both are computed; the one that is not selected may be NaN.
 template <std::same_as<bool> Condition, class A, class B>

@@ -22,16 +22,19 @@
 // Where a function is not analytic at the point (sqrt at 0, division by 0) the jet is not finite from the
 // first coefficient that does not exist; a CheckedJet throws (singular_point.hpp). Where the singularity is
 // removable (t/t) the common power of t is cancelled (valuation.hpp); the top coefficients, which the known ones do
-// not determine, are then NaN, and a dynamic jet is of smaller degree.
+// not determine, are then NaN, and a dynamic jet is of smaller degree. At a kink (abs, min, max, hypot at 0) and in
+// comparisons a jet is taken for small t > 0: abs(-t) = t.
 //
 // T is any number type with + - * / and, for the functions used, sqrt, exp, ... found by argument-dependent
 // lookup; its operators must return T (Boost.Multiprecision: et_off). A jet is such a type: Jet<Jet<double, 1>, 20>
 // is a series in t with its derivative by a parameter.
 
+#include <algorithm>
 #include <cassert>
 #include <compare>
 #include <concepts>
 #include <initializer_list>
+#include <limits>
 #include <span>
 #include <type_traits>
 
@@ -42,6 +45,22 @@
 #include "jetlag/series/singular_point.hpp"
 
 namespace jetlag {
+
+namespace detail {
+template <class T>
+concept Ordered = is_jet<T> || requires(const T& a) { a < a; };
+
+template <class T>
+std::partial_ordering order_of(const T& a, const T& b) {
+  if constexpr (is_jet<T>)
+    return a <=> b;
+  else
+    return a < b    ? std::partial_ordering::less
+           : a > b  ? std::partial_ordering::greater
+           : a == b ? std::partial_ordering::equivalent
+                    : std::partial_ordering::unordered;
+}
+}  // namespace detail
 
 /// A jet; P: what it does at a singular point.
 template <class T, int N, Singularities P>
@@ -127,15 +146,16 @@ class Jet : public detail::Coefficients<T, N>, SeriesOperators<Jet<T, N, P>> {
     }
   }
 
-  /// < <= > >= of coefficient 0. A NaN is neither below nor above.
-  friend std::partial_ordering operator<=>(const Jet& u, const Jet& v) {
-    if constexpr (is_jet<T>)
-      return u[0] <=> v[0];
-    else
-      return u[0] < v[0]    ? std::partial_ordering::less
-             : u[0] > v[0]  ? std::partial_ordering::greater
-             : u[0] == v[0] ? std::partial_ordering::equivalent
-                            : std::partial_ordering::unordered;
+  /// < <= > >= by the first coefficient in which u and v differ: the order of u(t) and v(t) for small t > 0. What
+  /// only one of them knows is not compared. A NaN that is met is neither below nor above.
+  friend std::partial_ordering operator<=>(const Jet& u, const Jet& v)
+    requires detail::Ordered<T>
+  {
+    const int known_of_u = detail::degree_of(u), known_of_v = detail::degree_of(v);
+    const int last = std::min({known_of_u, known_of_v, std::max(u.degree(), v.degree())});
+    for (int k = 0; k <= last; ++k)
+      if (const auto order = detail::order_of(u[k], v[k]); order != 0) return order;
+    return std::partial_ordering::equivalent;
   }
 };
 
@@ -147,6 +167,18 @@ using CheckedJet = Jet<T, N, Singularities::checked>;
 template <class T, int N, Singularities P>
 bool isfinite(const Jet<T, N, P>& u) {
   return known_degree(u) == u.degree();
+}
+
+/// Whether a coefficient is NaN.
+template <class T, int N, Singularities P>
+bool isnan(const Jet<T, N, P>& u) {
+  return !(u == u);
+}
+
+/// Whether a coefficient is infinite and none is NaN.
+template <class T, int N, Singularities P>
+bool isinf(const Jet<T, N, P>& u) {
+  return !isnan(u) && !isfinite(u);
 }
 
 // ---- calculus --------------------------------------------------------------------------------------------
@@ -182,3 +214,28 @@ Jet<T, N, P> shift_origin(const Jet<T, N, P>& u, const std::type_identity_t<T>& 
 }
 
 }  // namespace jetlag
+
+/// The limits of T, as constants. But for the smallest numbers > 0: in the order of jets those are multiples of the
+/// highest power of t; of run-time degree there is none, and they are 0.
+template <class T, int N, jetlag::Singularities P>
+class std::numeric_limits<jetlag::Jet<T, N, P>> : public std::numeric_limits<T> {
+  using Jet = jetlag::Jet<T, N, P>;
+  using Limits = std::numeric_limits<T>;
+
+  static Jet at_highest_power(const T& x) {
+    Jet u;
+    if constexpr (N != jetlag::Dynamic) u[N] = x;
+    return u;
+  }
+
+ public:
+  static Jet min() { return at_highest_power(Limits::min()); }
+  static Jet denorm_min() { return at_highest_power(Limits::denorm_min()); }
+  static Jet max() { return Limits::max(); }
+  static Jet lowest() { return Limits::lowest(); }
+  static Jet epsilon() { return Limits::epsilon(); }
+  static Jet round_error() { return Limits::round_error(); }
+  static Jet infinity() { return Limits::infinity(); }
+  static Jet quiet_NaN() { return Limits::quiet_NaN(); }
+  static Jet signaling_NaN() { return Limits::signaling_NaN(); }
+};

@@ -55,7 +55,8 @@ int degree_of(const J& u) {
 /// The power of t that can be taken out of u: any, if u is the constant 0.
 template <class J>
 int order_of_zero(const J& u) {
-  const int l = valuation(u);
+  int l = valuation(u);
+  if (l > 0 && l == u.degree() && u[l] == beyond_what_is_known<typename J::value_type>()) ++l;
   return u.is_constant() && l > 0 ? unlimited : l;
 }
 
@@ -181,18 +182,15 @@ int compute(J& v, const U&... u) {
 }
 
 /// f(u, v) for a function f(s u, s v) = |s|^a f(u, v), a = 1 for a length and 0 for an angle, where s^2 alone would not
-/// do: an even power of t is taken out. With an odd one a length has a kink and an angle jumps at t = 0. Series that are
-/// no jets are not looked at.
+/// do: a power of t is taken out. With an odd one a length is that for t >= 0, and an angle jumps at t = 0. Series that
+/// are no jets are not looked at.
 template <int a, class S, class F>
 S without_common_power(F f, const S& u, const S& v) {
   if constexpr (is_jet<S>) {
     const int l = std::min(order_of_zero(u), order_of_zero(v)), degree = std::min(degree_of(u), degree_of(v));
-    const bool is_zero = l > degree, is_quiet = S::singularities == Singularities::quiet;
-    if (l > 0 && (l % 2 == 0 || is_zero || (a == 1 && is_quiet))) {
+    if (l > 0 && (a == 1 || l % 2 == 0 || l > degree)) {
       S w = zeros<S>(degree);
-      if (l % 2 == 1 && !is_zero)
-        miss(w, l);
-      else if (l <= w.degree())
+      if (l <= w.degree())
         put(w, a * l, f(divided<S>(u, l), divided<S>(v, l)), w.degree() - l);
       else if (a == 0)
         miss(w, 0);

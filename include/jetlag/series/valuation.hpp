@@ -44,6 +44,13 @@ int known_degree(const Jet<T, N, P>& u) {
 
 namespace detail {
 
+/// A coefficient of order N > 0 that says of a series without others: above 0, but what it is lies beyond t^N. The
+/// smallest number above numeric_limits<Jet>::min(), twice; 0 for a type without a smallest one.
+template <class T>
+T beyond_what_is_known() {
+  return std::numeric_limits<T>::min() + std::numeric_limits<T>::min();
+}
+
 /// l a, the power of t that comes out of a function.
 struct PowerOfT {
   int order;  // l a; if that is no whole number >= 0, the order of the first coefficient that does not exist
