@@ -3,6 +3,7 @@
 // The irrational constants of the rules, in the precision of a number type.
 
 #include <cmath>
+#include <complex>
 #include <concepts>
 #include <numbers>
 
@@ -24,6 +25,10 @@ struct Constants {
     return T(T(1) / sqrt(T(atan(T(1)))));
   }
 };
+
+/// Those of the real numbers.
+template <class T>
+struct Constants<std::complex<T>> : Constants<T> {};
 
 /// The nearest number: 2 / sqrt(pi) is doubled exactly.
 template <std::floating_point T>

@@ -4,7 +4,10 @@
 // of a tape (tape/recording.hpp).
 
 #include <cmath>
+#include <complex>
 #include <concepts>
+#include <cstdint>
+#include <limits>
 
 #include "jetlag/series/checked.hpp"
 #include "jetlag/series/constants.hpp"
@@ -110,22 +113,46 @@ S tan(const S& u) {
   return lift_coupled<Tan, SecantSquared>(u).first;
 }
 
+namespace detail {
+template <class S>
+concept ComplexJet = is_jet<S> && is_complex<typename S::value_type>;
+
+/// The square root c of a complex series, or -c: the branch whose coefficient 0 is value(u_0).
+template <Series S, class F>
+S on_branch(const S& c, const S& u, F value) {
+  if constexpr (ComplexJet<S>)
+    if (std::real(c[0] * std::conj(value(u[0]))) < 0) return -c;
+  return c;
+}
+
+/// 1 + u^2
+template <Series S>
+S one_plus_square(const S& u) {
+  if constexpr (ComplexJet<S>)  // (1 - i u)(1 + i u), which does not cancel
+    return lift<OneMinusSquare, S>(typename S::value_type(0, 1) * u);
+  else
+    return 1.0 + square(u);
+}
+}  // namespace detail
+
 /// Range: |u_0| < 1. At +-1 coefficient 1 is the first that is not finite.
 template <Series S>
 S asin(const S& u) {
-  return lift<Asin, S>(u, sqrt(lift<OneMinusSquare, S>(u)));
+  const auto cosine = [](const auto& x) { return cos(asin(x)); };
+  return lift<Asin, S>(u, detail::on_branch(sqrt(lift<OneMinusSquare, S>(u)), u, cosine));
 }
 
 /// Range: |u_0| < 1. At +-1 coefficient 1 is the first that is not finite.
 template <Series S>
 S acos(const S& u) {
-  return lift<Acos, S>(u, sqrt(lift<OneMinusSquare, S>(u)));
+  const auto sine = [](const auto& x) { return sin(acos(x)); };
+  return lift<Acos, S>(u, detail::on_branch(sqrt(lift<OneMinusSquare, S>(u)), u, sine));
 }
 
 /// Range: all reals; beyond 1e154, the square of which overflows, coefficient 2 is not finite.
 template <Series S>
 S atan(const S& u) {
-  return lift<Atan, S>(u, 1.0 + square(u));
+  return lift<Atan, S>(u, detail::one_plus_square(u));
 }
 
 // ---- polar coordinates -----------------------------------------------------------------------------------
@@ -142,8 +169,8 @@ S scaled_squares(const S& x, const X& c) {
 }
 }  // namespace detail
 
-/// sqrt(x^2 + y^2), without overflow.   Range: (x_0, y_0) != (0, 0). There an even common power t^l is taken out of
-/// jets; with an odd one there is a kink: coefficient l is the first that is not finite. In other series it is 1.
+/// sqrt(x^2 + y^2), without overflow.   Range: (x_0, y_0) != (0, 0). There a common power of t is taken out of jets, for
+/// t >= 0: hypot(3 t, 4 t) = 5 t. In other series coefficient 1 is the first that is not finite.
 template <Series S>
 S hypot(const S& x, const S& y) {
   return detail::without_common_power<1>(
@@ -200,13 +227,19 @@ S tanh(const S& u) {
 /// Range: all reals.
 template <Series S>
 S asinh(const S& u) {
-  return lift<Asinh, S>(u, hypot(u, 1.0));
+  if constexpr (detail::ComplexJet<S>) {
+    const auto cosine = [](const auto& x) { return cosh(asinh(x)); };
+    return lift<Asinh, S>(u, detail::on_branch(sqrt(detail::one_plus_square(u)), u, cosine));
+  } else {
+    return lift<Asinh, S>(u, hypot(u, 1.0));
+  }
 }
 
 /// Range: u_0 > 1. At 1 coefficient 1 is the first that is not finite.
 template <Series S>
 S acosh(const S& u) {
-  return lift<Acosh, S>(u, sqrt(u - 1.0) * sqrt(u + 1.0));
+  const auto sine = [](const auto& x) { return sinh(acosh(x)); };
+  return lift<Acosh, S>(u, detail::on_branch(S(sqrt(u - 1.0) * sqrt(u + 1.0)), u, sine));
 }
 
 /// Range: |u_0| < 1. At +-1 coefficient 0 is not finite.
@@ -231,15 +264,36 @@ S erfc(const S& u) {
 
 // ---- powers ----------------------------------------------------------------------------------------------
 
-/// u^n for a whole number n, by repeated squaring: holds for any u_0 (n < 0: u_0 != 0; n > INT_MIN).
-/// Cost: <= 2 log2 |n| products.
+namespace detail {
+template <class S>
+inline constexpr bool is_jet_of_floating_point = false;
+template <class T, int N, Singularities P>
+inline constexpr bool is_jet_of_floating_point<Jet<T, N, P>> = std::floating_point<T>;
+
+/// u^n by repeated squaring.
 template <Series S>
-S pow(const S& u, int n) {
-  if (n < 0) return pow(1.0 / u, -n);
+S product_of(const S& u, std::uint64_t n) {
   if (n == 0) return S(1.0);
   if (n == 1) return u;
-  const S squared = square(pow(u, n / 2));
+  const S squared = square(product_of(u, n / 2));
   return n % 2 == 0 ? squared : squared * u;
+}
+}  // namespace detail
+
+/// u^n for a whole number n of any type, by repeated squaring: holds for any u_0 (n < 0: u_0 != 0).
+/// Cost: <= 2 log2 |n| products. Beyond |n| = 1024, where their rounding adds up, by the rule of real powers if u_0 != 0.
+template <Series S, std::integral N>
+S pow(const S& u, N n) {
+  if constexpr (detail::is_jet_of_floating_point<S>) {
+    using T = typename S::value_type;
+    constexpr T largest =
+        2 / std::numeric_limits<T>::epsilon();  // whole numbers up to here are numbers of type T
+    const T a = static_cast<T>(n);
+    if (std::abs(a) > 1024 && std::abs(a) <= largest && u[0] != 0) return lift<Power, S>(a, u);
+  }
+  if constexpr (std::signed_integral<N>)
+    if (n < 0) return detail::product_of(S(1.0 / u), -static_cast<std::uint64_t>(n));
+  return detail::product_of(u, static_cast<std::uint64_t>(n));
 }
 
 /// u^a for a real number a; a whole number a is the product above.
@@ -259,16 +313,72 @@ J pow(const J& u, const J& v) {
   if (v != J(v[0])) return lift<PowerOfSeries, J>(u, v, v * log(u));
   if constexpr (std::floating_point<T>)
     return pow(u, v[0]);
+  else if (const auto a = detail::exact_double(v[0]); a && *a == std::trunc(*a) && std::abs(*a) <= 1024)
+    return pow(u, static_cast<int>(*a));
   else
     return lift<Power, J>(v[0], u);
 }
 
-/// c^v = exp(v log(c)) for a number c.   Range: c > 0.
+/// u^z for a complex number z.   Range: u_0 != 0, or z whole.
+template <class J>
+  requires is_jet<J> && is_complex<typename J::value_type>
+J pow(const J& u, const typename J::value_type& z) {
+  return pow(u, J(z));
+}
+
+/// c^v = exp(v log(c)) for a number c.   Range: c > 0; any c if v has no terms beyond the first and c^(v_0) exists.
 template <Series S, ScalarOf<S> X>
 S pow(const X& c, const S& v) {
-  using std::log;
+  using std::log, std::pow;
   using T = typename S::value_type;
+  if (v == S(v[0])) {
+    S p = v;
+    p[0] = T(pow(T(c), v[0]));
+    if (detail::is_finite(p[0])) return p;
+    p[0] = T(c);  // c as a series
+    return pow(p, v);
+  }
   return lift<PowerOfSeries, S>(c, v, v * T(log(T(c))));
 }
+
+// ---- complex numbers -------------------------------------------------------------------------------------
+//
+// Jet<std::complex<double>, N> is the series of an analytic function: the functions above that std::complex has, with
+// its branches. On a branch cut the series is that of the branch which the value is on.
+
+namespace detail {
+template <class Y, class T, int N, Singularities P, class F>
+Jet<Y, N, P> mapped(const Jet<T, N, P>& u, F f) {
+  auto v = zeros<Jet<Y, N, P>>(degree_of(u));
+  for (int k = 0; k <= u.degree(); ++k) v[k] = f(u[k]);
+  return v;
+}
+}  // namespace detail
+
+/// The real and imaginary parts for real t, and the conjugate.
+template <class T, int N, Singularities P>
+Jet<T, N, P> real(const Jet<std::complex<T>, N, P>& u) {
+  return detail::mapped<T>(u, [](const std::complex<T>& z) { return z.real(); });
+}
+template <class T, int N, Singularities P>
+Jet<T, N, P> imag(const Jet<std::complex<T>, N, P>& u) {
+  return detail::mapped<T>(u, [](const std::complex<T>& z) { return z.imag(); });
+}
+template <class T, int N, Singularities P>
+Jet<std::complex<T>, N, P> conj(const Jet<std::complex<T>, N, P>& u) {
+  return detail::mapped<std::complex<T>>(u, [](const std::complex<T>& z) { return std::conj(z); });
+}
+
+// Not analytic. clang-format off
+template <class T, int N, Singularities P>
+void abs(const Jet<std::complex<T>, N, P>&) =
+    delete;  // not analytic: for real t write hypot(real(u), imag(u))
+template <class T, int N, Singularities P>
+void arg(const Jet<std::complex<T>, N, P>&) =
+    delete;  // not analytic: for real t write atan2(imag(u), real(u))
+template <class T, int N, Singularities P>
+void norm(const Jet<std::complex<T>, N, P>&) =
+    delete;  // not analytic: for real t write square(real(u)) + square(imag(u))
+// clang-format on
 
 }  // namespace jetlag

@@ -25,6 +25,8 @@
 #include <concepts>
 #include <cstddef>
 
+#include "jetlag/series/complex.hpp"
+
 namespace jetlag {
 
 /// How much of an operand's series a rule reads to compute coefficient k.

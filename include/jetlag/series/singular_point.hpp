@@ -13,6 +13,7 @@
 
 #include "jetlag/base/text.hpp"
 #include "jetlag/series/coefficients.hpp"
+#include "jetlag/series/complex.hpp"
 
 namespace jetlag {
 
@@ -41,7 +42,9 @@ template <class T>
 bool is_finite(const T& x) {
   using std::isfinite;
   using Limits = std::numeric_limits<T>;
-  if constexpr (Limits::is_specialized && !Limits::has_infinity && !Limits::has_quiet_NaN)
+  if constexpr (is_complex<T>)
+    return isfinite(x.real()) && isfinite(x.imag());
+  else if constexpr (Limits::is_specialized && !Limits::has_infinity && !Limits::has_quiet_NaN)
     return true;
   else if constexpr (requires { isfinite(x); })
     return isfinite(x);

@@ -74,6 +74,8 @@ std::optional<double> exact_double(const T& x) {
     for (int k = 1; k <= x.degree(); ++k)
       if (x[k] != typename T::value_type(0)) return {};
     return exact_double(x[0]);
+  } else if constexpr (is_complex<T>) {
+    if (x.imag() == 0) return exact_double(x.real());
   } else if constexpr (requires { static_cast<double>(x); }) {
     const auto y = static_cast<double>(x);
     if (T(y) == x) return y;
