@@ -12,6 +12,7 @@
 
 #include <concepts>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <span>
 #include <stdexcept>
@@ -198,6 +199,10 @@ Recorded max(const Recorded& u, const Recorded& v);
 
 }  // namespace jetlag
 
+/// Those of the numbers of a law.
+template <>
+class std::numeric_limits<jetlag::Recorded> : public std::numeric_limits<double> {};
+
 namespace Eigen {
 template <>
 struct NumTraits<jetlag::Recorded> : GenericNumTraits<jetlag::Recorded> {
@@ -214,5 +219,6 @@ struct NumTraits<jetlag::Recorded> : GenericNumTraits<jetlag::Recorded> {
     AddCost = 8,
     MulCost = 32
   };
+  static Real dummy_precision() { return NumTraits<double>::dummy_precision(); }
 };
 }  // namespace Eigen
