@@ -3,10 +3,13 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <new>
 #include <stdexcept>
+#include <string>
 #include <type_traits>
 
 #include "command_line/command.hpp"
+#include "jetlag/base/text.hpp"
 #include "jetlag/scenes/error.hpp"
 #include "jetlag/version.hpp"
 
@@ -64,6 +67,12 @@ void add(CLI::App& app, const Command& command, const Command*& chosen) {
   });
 }
 
+/// Says why, on one line, whatever is in the names in it.
+int ended(const std::string& why, int exit_code) {
+  std::fprintf(stderr, "jetlag: %s\n", on_one_line(why).c_str());
+  return exit_code;
+}
+
 }  // namespace
 
 int run(const CommandLine& line, int argc, char** argv) {
@@ -83,18 +92,20 @@ int run(const CommandLine& line, int argc, char** argv) {
       throw std::runtime_error("cannot write to standard output");
     return code;
   } catch (const SceneError& error) {
-    std::fprintf(stderr, "jetlag: %s\n", error.what());
-    return bad_input;
+    return ended(error.what(), bad_input);
   } catch (const std::invalid_argument& error) {
-    std::fprintf(stderr, "jetlag: %s\n", error.what());
-    return bad_input;
+    return ended(error.what(), bad_input);
   } catch (const std::filesystem::filesystem_error& error) {
-    std::fprintf(stderr, "jetlag: cannot write %s: %s; give another folder, or make room or rights there\n",
-                 error.path1().c_str(), error.code().message().c_str());
-    return cannot_write;
+    return ended("cannot write " + shown_name(error.path1().string()) + ": " + error.code().message() +
+                     "; give another folder, or make room or rights there",
+                 cannot_write);
+  } catch (const std::bad_alloc&) {
+    return ended(
+        "the memory that this process may have is not enough; take fewer particles or frames, or allow it "
+        "more",
+        bad_input);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "jetlag: %s\n", error.what());
-    return cannot_write;
+    return ended(error.what(), cannot_write);
   }
 }
 

@@ -12,6 +12,9 @@
 #include <cstdio>
 #include <stdexcept>
 #include <system_error>
+#include <vector>
+
+#include "jetlag/base/text.hpp"
 
 namespace jetlag {
 
@@ -21,7 +24,7 @@ namespace {
 
 [[noreturn]] void fail(const char* what, const fs::path& path, int error = errno) {
   throw std::runtime_error(
-      fmt::format("{} {}: {}", what, path.string(), std::generic_category().message(error)));
+      fmt::format("{} {}: {}", what, shown_name(path.string()), std::generic_category().message(error)));
 }
 
 /// Calls again as long as a signal interrupts.

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "command_line/interruption.hpp"
+#include "jetlag/base/text.hpp"
 #include "jetlag/runs/run_ensemble.hpp"
 #include "jetlag/tape/kernels.hpp"
 #include "program/commands.hpp"
@@ -25,7 +26,7 @@ void print(const EnsembleResult& result, const std::filesystem::path& folder) {
   const EnsembleFrame& last = result.frames.back();
   std::printf(
       "%s: %s at t = %.10g s, %zu of %zu members, %llu steps, mean degree %.3g, %.3g s, %d thread%s%s\n",
-      folder.string().c_str(), to_string(result.outcome), last.time, last.members, result.members,
+      shown_name(folder.string()).c_str(), to_string(result.outcome), last.time, last.members, result.members,
       static_cast<unsigned long long>(result.work.steps), result.work.mean_degree(), result.wall_seconds,
       result.threads, result.threads == 1 ? "" : "s", result.in_lanes ? ", in lanes" : "");
   const Calibration c = over_time(result);
@@ -46,7 +47,8 @@ void print(const EnsembleResult& result, const std::filesystem::path& folder) {
       c.deterministic_error, result.perturbation == 0);  // else the spread is that of where the members start
   std::printf("  (root mean squares over the positions of all moving particles at all frames)\n");
   for (const char* name : ensemble_files)
-    if (std::filesystem::exists(folder / name)) std::printf("  %s\n", (folder / name).string().c_str());
+    if (std::filesystem::exists(folder / name))
+      std::printf("  %s\n", shown_name((folder / name).string()).c_str());
 }
 
 int run(const EnsembleArguments& arguments) {

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "jetlag/base/text.hpp"
 #include "jetlag/output/files.hpp"
 #include "jetlag/scenes/error.hpp"
 #include "program/commands.hpp"
@@ -31,7 +32,7 @@ void write_all(const std::filesystem::path& folder) {
   write_file(folder / "scene.md", scene_page(), Until::handed_over);
   const std::filesystem::path index = folder / "index.md";
   write_file(index, markdown_index(method_records()));
-  std::printf("%s and %zu pages\n", index.string().c_str(), method_records().size());
+  std::printf("%s and %zu pages\n", shown_name(index.string()).c_str(), method_records().size());
 }
 
 int run(const MethodsArguments& arguments) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "command_line/interruption.hpp"
+#include "jetlag/base/text.hpp"
 #include "jetlag/runs/run_scene.hpp"
 #include "jetlag/tape/kernels.hpp"
 #include "program/commands.hpp"
@@ -19,15 +20,17 @@ struct RunArguments {
 };
 
 void print_result(const Summary& summary, const std::filesystem::path& folder) {
-  std::printf("%s: %s at t = %.10g s, %llu steps, mean degree %.3g, %.3g s\n", folder.string().c_str(),
-              to_string(summary.outcome), summary.time, static_cast<unsigned long long>(summary.work.steps),
-              summary.work.mean_degree(), summary.wall_seconds);
+  std::printf("%s: %s at t = %.10g s, %llu steps, mean degree %.3g, %.3g s\n",
+              shown_name(folder.string()).c_str(), to_string(summary.outcome), summary.time,
+              static_cast<unsigned long long>(summary.work.steps), summary.work.mean_degree(),
+              summary.wall_seconds);
   if (summary.has_energy)
     std::printf("  energy   %.10g J -> %.10g J, largest relative change %.3g\n",
                 summary.initial_energy.total(), summary.final_energy.total(),
                 summary.max_relative_energy_error);
   for (const auto& file : first_files_of_run(folder))
-    std::printf("  %-12s %s%s\n", "", file.c_str(), file.extension() == ".pvd" ? "   (ParaView)" : "");
+    std::printf("  %-12s %s%s\n", "", shown_name(file.string()).c_str(),
+                file.extension() == ".pvd" ? "   (ParaView)" : "");
 }
 
 int run(const RunArguments& arguments) {

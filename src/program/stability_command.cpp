@@ -183,13 +183,13 @@ int run(const StabilityArguments& arguments) {
   const std::filesystem::path csv = arguments.folder / "stability.csv",
                               picture = arguments.folder / "stability.svg";
   write_file(csv, map.csv);
-  std::printf("%s\n", csv.string().c_str());
+  std::printf("%s\n", shown_name(csv.string()).c_str());
   if (gnuplot::program().empty()) {
     std::printf("no picture: gnuplot is not in PATH\n");
     return 0;
   }
   draw(picture, title, known, map, reach);
-  std::printf("%s\n", picture.string().c_str());
+  std::printf("%s\n", shown_name(picture.string()).c_str());
   return 0;
 }
 

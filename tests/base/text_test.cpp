@@ -64,6 +64,35 @@ TEST(Shown, TakesTypesThatCanOnlyBeTurnedIntoADouble) {
   EXPECT_EQ(shown(Nothing{}), "(a number that cannot be shown)");
 }
 
+TEST(OnOneLine, KeepsEveryCharacterThatIsShownAsItIs) {
+  for (const std::string text :
+       {"", "out/body", "a b\\c\"d", "M\u00fcnchen", "\u03b5 \u2260 0", "\U0001f407", "\u00a0"})
+    EXPECT_EQ(on_one_line(text), text);
+}
+
+TEST(OnOneLine, SpellsOutWhatBreaksALine) {
+  EXPECT_EQ(on_one_line("a\nb\tc\rd"), "a\\nb\\tc\\rd");
+  EXPECT_EQ(on_one_line("\x1b[2J\x7f"), "\\x1b[2J\\x7f");
+  EXPECT_EQ(on_one_line(std::string("a\0b", 3)), "a\\x00b");
+  EXPECT_EQ(on_one_line("\u0085"), "\\xc2\\x85");  // a line end too
+}
+
+TEST(OnOneLine,
+     SpellsOutWhatIsNoUtf8) {  // RFC 3629: overlong, cut off, half of a pair, beyond the last plane
+  EXPECT_EQ(on_one_line("\xff"), "\\xff");
+  EXPECT_EQ(on_one_line("\xc0\xaf"), "\\xc0\\xaf");
+  EXPECT_EQ(on_one_line("\xe0\x80\x80"), "\\xe0\\x80\\x80");
+  EXPECT_EQ(on_one_line("\xe2\x82"), "\\xe2\\x82");
+  EXPECT_EQ(on_one_line("\xed\xa0\x80"), "\\xed\\xa0\\x80");
+  EXPECT_EQ(on_one_line("\xf4\x90\x80\x80"), "\\xf4\\x90\\x80\\x80");
+}
+
+TEST(ShownName, IsQuotedOnlyWhereItWouldBreakTheLine) {
+  EXPECT_EQ(shown_name("out/a \"b\" \\"), "out/a \"b\" \\");
+  EXPECT_EQ(shown_name("a\nb"), R"("a\nb")");
+  EXPECT_EQ(shown_name("\"a\\\n"), R"("\"a\\\n")");
+}
+
 TEST(Field, IsEmptyWhereThereIsNoNumber) {
   EXPECT_EQ(field(0.5), "0.5");
   EXPECT_EQ(field(std::nan("")), "");

@@ -54,6 +54,23 @@ TEST(CommandLine, NamesAFolderThatCannotBeMadeAndWhy) {
                                 Not(HasSubstr("filesystem error"))));
 }
 
+TEST(CommandLine, QuotesNamesThatWouldBreakALine) {
+  const TemporaryFolder folder;
+  const Ended run =
+      program("run chain --set until=0.1 --set output.pictures=false --out $'a\\nb\\xff'", folder.path());
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_THAT(run.output, AllOf(HasSubstr(R"("a\nb\xff": success)"), HasSubstr(R"("a\nb\xff/summary.json")"),
+                                Not(HasSubstr("a\nb"))));
+  const Ended ensemble =
+      program("ensemble ellipse --members 2 --set until=0.01 --set output.pictures=false --out $'c\\nd'",
+              folder.path());
+  EXPECT_THAT(ensemble.output, AllOf(HasSubstr(R"("c\nd": success)"), Not(HasSubstr("c\nd"))));
+  write(folder / "file", "");
+  const Ended refused = program("run chain --out $'file/\\n'", folder.path());
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.output, HasSubstr(R"("file/\n": Not a directory)"));
+}
+
 TEST(CommandLine, BecomesTheProgramOfTheStudies) {
   const TemporaryFolder folder;
   EXPECT_THAT(program("study --help", folder.path()).output, HasSubstr("Usage: jetlag study"));

@@ -9,6 +9,7 @@
 #include <limits>
 #include <sstream>
 #include <string>
+#include <string_view>
 
 namespace jetlag {
 
@@ -17,6 +18,13 @@ std::string number(double value);
 
 /// The same in a field of a table, which stays empty where the number is not finite.
 std::string field(double value);
+
+/// A text on one line: control characters and bytes that are no UTF-8 become \n, \t, \x1b, ...
+std::string on_one_line(std::string_view text);
+
+/// A name, such as that of a file, as it is printed: itself, or where it would break the line in double quotes, with
+/// the above and with \" and \\.
+std::string shown_name(const std::string& name);
 
 /// A number in a message: up to 10 digits, and "0" also for -0. Of a type that cannot be written the nearest double.
 template <class T>
