@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "jetlag/base/text.hpp"
@@ -49,7 +50,7 @@ double bytes_needed(const Scene& scene, const EnsembleOptions& options) {
   const auto quantities = static_cast<double>(quantities_of(scene, options.velocities).size());
   const double of_a_member = RandomEnsemble::bytes_of_a_member(*scene.system, series_of(scene, options));
   return options.members * (of_a_member + quantities * sizeof(double)) +
-         scene.output.frames * quantities * (in_a_sample + in_the_table);
+         std::max(1, scene.output.frames) * quantities * (in_a_sample + in_the_table);
 }
 
 }  // namespace jetlag

@@ -21,7 +21,7 @@ namespace {
 OutputOptions read_output(const Value& output) {
   output.only(allowed(scene_keys(), "output"));
   OutputOptions options;
-  options.frames = static_cast<int>(output.at("frames", options.frames).integer(1, 1'000'000));
+  options.frames = static_cast<int>(output.at("frames", options.frames).integer(0, 1'000'000));
   for (const OutputKey& key : output_keys)
     options.*key.asked = output.at(key.name, options.*key.asked).boolean();
   return options;

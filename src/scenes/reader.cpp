@@ -88,8 +88,17 @@ double Value::number(const Range& range) const {
   return x;
 }
 
+/// Other programs write whole numbers with a point, as 2.0 or 1e3; up to 2^53 that leaves no doubt which one it is.
+std::optional<std::int64_t> Value::written_with_a_point() const {
+  if (!json_->is_number_float()) return {};
+  const double x = json_->get<double>();
+  if (x != std::floor(x) || std::abs(x) > 0x1p53) return {};
+  return static_cast<std::int64_t>(x);
+}
+
 std::int64_t Value::integer(std::int64_t low, std::int64_t high) const {
   const std::string allowed = "a whole number from " + std::to_string(low) + " to " + std::to_string(high);
+  if (const auto x = written_with_a_point(); x && low <= *x && *x <= high) return *x;
   if (!json_->is_number_integer()) refuse(allowed);
   if (json_->is_number_unsigned() && json_->get<std::uint64_t>() > static_cast<std::uint64_t>(high))
     refuse(allowed);
@@ -99,6 +108,7 @@ std::int64_t Value::integer(std::int64_t low, std::int64_t high) const {
 }
 
 std::uint64_t Value::seed() const {
+  if (const auto x = written_with_a_point(); x && *x >= 0) return static_cast<std::uint64_t>(*x);
   const bool whole =
       json_->is_number_unsigned() || (json_->is_number_integer() && json_->get<std::int64_t>() >= 0);
   if (!whole) refuse("a whole number from 0 to 18446744073709551615");

@@ -81,6 +81,7 @@ class Value {
   Value at(std::size_t i) const;
 
   double number(const Range& range = any_number) const;
+  /// Whole numbers may be written with a point or an exponent, as 2.0 and 1e3.
   std::int64_t integer(std::int64_t low, std::int64_t high) const;
   std::uint64_t seed() const;
   bool boolean() const;
@@ -94,6 +95,8 @@ class Value {
   std::vector<double> vector(std::size_t count, const Range& range = any_number) const;
 
  private:
+  std::optional<std::int64_t> written_with_a_point() const;
+
   Json* json_;
   std::string path_;
 };

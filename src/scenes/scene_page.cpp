@@ -96,7 +96,10 @@ const SceneKeys& scene_keys() {
         {"until", "the end [s], > 0", "required"},
         {"seed", "of all that is random, whole number from 0 to 2^64 - 1", "1"},
         {"output", "an object", "none"},
-        {"output.frames", "besides the first, evenly spaced in time, 1 to 1000000", "100"}};
+        {"output.frames",
+         "besides the first, evenly spaced in time, 0 to 1000000; 0: none are written, and energies and "
+         "pictures are of the beginning and the end",
+         "100"}};
     for (const auto& [name, asked, what] : output_keys)
       keys.push_back({"output." + std::string(name), "true, false: " + std::string(what),
                       unasked.*asked ? "true" : "false"});

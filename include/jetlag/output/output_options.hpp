@@ -5,7 +5,7 @@
 namespace jetlag {
 
 struct OutputOptions {
-  int frames = 100;      // besides the first; evenly spaced in time
+  int frames = 100;      // besides the first; evenly spaced in time; 0: none are written
   bool energy = true;    // energy.csv, and the energy in the summary
   bool pictures = true;  // through gnuplot, where it is there
   bool clocks = false;   // clocks.csv, clocks.svg, and step and degree in the frames

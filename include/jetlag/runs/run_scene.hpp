@@ -22,7 +22,8 @@ struct Progress {
 };
 
 struct RunHooks {
-  std::function<void(const Frame&)> frame;          // at time 0 and at each of scene.output.frames times
+  std::function<void(const Frame&)>
+      frame;  // at time 0 and at each of scene.output.frames times; of 0 at the end
   std::function<bool(const Progress&)> after_step;  // false ends the run as `interrupted`
 };
 

@@ -13,6 +13,8 @@ class FramesVtu final : public Output {
  public:
   std::string file() const override { return "frames/run.pvd"; }
 
+  bool is_wanted(const OutputOptions& asked) const override { return asked.frames > 0; }
+
   std::vector<std::filesystem::path> other_files(const std::filesystem::path& folder) const override {
     std::vector<std::filesystem::path> files;
     if (!std::filesystem::is_directory(folder / "frames")) return files;
