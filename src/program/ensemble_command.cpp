@@ -59,7 +59,7 @@ int run(const EnsembleArguments& arguments) {
     folder = std::filesystem::path("out") /
              (std::filesystem::path(arguments.scene.scene).stem().string() + "_ensemble");
   stop_in_good_order();
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings = scene.warnings;
   EnsembleResult result;
   {
     ProgressLine line(arguments.quiet);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "jetlag/base/text.hpp"
 #include "jetlag/control/courant.hpp"
 #include "jetlag/motion/expansion.hpp"
 #include "program/commands.hpp"
@@ -33,7 +34,8 @@ int check(const SceneArguments& arguments) {
   const System<double>& system = *scene.system;
   std::size_t elements = 0;
   for (const auto& group : system.elements()) elements += group.count();
-  std::printf("%s: valid\n", scene.name.c_str());
+  for (const std::string& warning : scene.warnings) std::fprintf(stderr, "jetlag: %s\n", warning.c_str());
+  std::printf("%s: valid\n", shown_name(scene.name).c_str());
   std::printf("  particles   %d in %d dimension%s, %d fixed\n", system.particles(), system.dimension(),
               system.dimension() == 1 ? "" : "s", system.particles() - moving_particles(system));
   for (const auto& group : system.elements())

@@ -16,6 +16,7 @@ namespace {
 RunResult run_schedule(const Scene& scene, Schedule& schedule, const RunHooks& hooks) {
   RunResult result;
   Summary& summary = result.summary;
+  summary.warnings = scene.warnings;
   State<double> state = scene.initial;
   if (scene.output.clocks) result.clocks.emplace(scene.system->fixed());
   Recorder recorder(scene, hooks, result);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <Eigen/Core>
 #include <cmath>
+#include <system_error>
 
+#include "jetlag/base/text.hpp"
 #include "jetlag/scenes/error.hpp"
 #include "jetlag/truncation/draws.hpp"
 #include "scenes/choices.hpp"
@@ -99,11 +101,17 @@ Mesh read_grid(const Value& particles, int dimension) {
 
 Mesh read_mesh(const Value& value, const std::filesystem::path& folder) {
   const std::filesystem::path file = std::filesystem::absolute(folder / value.text());
-  if (!std::filesystem::is_regular_file(file))
-    value.refuse("a mesh file that exists; looked for " + file.string());
+  std::error_code why;
+  const bool is_file =
+      std::filesystem::is_regular_file(file, why) && file.string().find('\0') == std::string::npos;
+  if (!is_file)
+    value.refuse("a mesh file that exists; looked for " + shown_name(file.string()) +
+                 (why && why != std::errc::no_such_file_or_directory ? ": " + why.message() : ""));
   value.replace(file.string());  // so that the scene can be run from anywhere
   try {
-    return read_medit(file);
+    Mesh mesh = read_medit(file);
+    for (std::string& warning : mesh.warnings) warning = value.path() + ": " + warning;
+    return mesh;
   } catch (const SceneError& error) {
     throw SceneError(value.path() + ": " + error.what());
   }
@@ -163,7 +171,9 @@ const std::vector<Choice>& particle_choices() {
       "`cut` (two fractions of the second radius, 0 to 1, where it is cut off)";
   static const std::vector<Choice> choices = {
       {"position", {{"position", "[m], a vector for each particle", "required"}, velocity, mass, fixed}},
-      {"mesh", generator({{"mesh", "a Medit file (.mesh) of tetrahedra, beside the scene or with its path",
+      {"mesh", generator({{"mesh",
+                           "a Medit file (.mesh) of tetrahedra, beside the scene or with its path; sections "
+                           "of other things are passed over, tetrahedra of negative volume turned round",
                            "required"}},
                          edges)},
       {"ellipsoid", generator({{"ellipsoid", radii, "required"}}, edges)},

@@ -97,6 +97,7 @@ Scene read(Document& document, const std::filesystem::path& folder) {
   scene.output = read_output(value.at("output", JsonText{"{}"}));
   const auto dimension = static_cast<int>(value.at("dimension", 3).integer(1, 3));
   Particles particles = read_particles(value.at("particles"), dimension, scene.seed, folder);
+  scene.warnings = particles.mesh.warnings;
 
   auto system = std::make_shared<System<double>>(dimension, particles.mass);
   for (std::size_t i = 0; i < particles.fixed.size(); ++i)

@@ -144,8 +144,11 @@ TEST(BadMesh, NamesFileAndLine) {
   refused(head + points + "Tetrahedra\n1\n1 2 3 5 0\n", "from 1 to 4");
   refused(head + points + "Tetrahedra\n1\n1 2 3 3 0\n", "vertex 3 twice");
   refused(head + "Vertices\n4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n1 1 0 0\nTetrahedra\n1\n1 2 3 4 0\n", "no volume");
-  refused(head + points + "Tetrahedra\n2\n1 2 3 4 0\n1 3 2 4 0\n", "inverted");
   refused(head + points + "Surprise\n1\n", "Surprise");
+  refused(head + points + "Tetrahedra\n1\n1 2 3 4 0\n5\n", "got '5'; must be a section");
+  refused(head + "Vertices\n1\n0 1.5D+400 0 0\n", "finite");
+  refused(head + "Vertices\n1\n0 +-1 0 0\n", "finite");
+  refused(head + "Vertices\n1.5\n", "number of vertices");
 }
 
 TEST(BadCommandLine, ExitsWithTwo) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "jetlag/model/system.hpp"
@@ -16,6 +17,7 @@ struct Mesh {
   std::vector<std::array<int, 3>>
       triangles;                          // of a plane mesh; for a body, see boundary() in output/shape.hpp
   std::vector<std::array<int, 2>> edges;  // distinct, a < b, sorted
+  std::vector<std::string> warnings;      // of the file: it can be used, but may not be what was meant
 };
 
 /// The distinct edges of tetrahedra and triangles, a < b, sorted.
@@ -25,9 +27,12 @@ std::vector<std::array<int, 2>> edges_of(const std::vector<std::array<int, 4>>& 
 /// Six times the signed volume of a tetrahedron (1-0) x (2-0) . (3-0).
 double six_volumes(const Coordinates<double>& position, const std::array<int, 4>& tetrahedron);
 
-/// A tetrahedral mesh in Medit's ASCII format (.mesh). Sections other than Vertices and Tetrahedra are passed over.
-/// Throws SceneError naming file and line: missing file, truncated or misspelt sections, indices out of range,
-/// coordinates that are not finite, tetrahedra with a vertex twice, without volume or inverted.
+/// A tetrahedral mesh in Medit's ASCII format (.mesh). Sections other than Vertices and Tetrahedra, whatever they are called,
+/// are passed over up to the next word; words may be in any case, numbers as in C or Fortran, also whole ones with a point.
+/// Coordinates too small for double are 0. Tetrahedra of negative volume are turned round, with one warning; another one
+/// names vertices that are in no tetrahedron.
+/// Throws SceneError naming file and line: missing file, truncated sections, indices out of range, coordinates that are not
+/// finite, tetrahedra with a vertex twice or without volume, lines longer than 100000 characters, a lack of memory.
 Mesh read_medit(const std::filesystem::path& file);
 
 /// An ellipsoid cut by two planes, filled with tetrahedra.

@@ -33,6 +33,7 @@ struct Scene {
   std::uint64_t max_steps = 0;
   int threads = 1;
   OutputOptions output;
+  std::vector<std::string> warnings;  // of what was read: it can be run, but may not be what was meant
 
   /// A new schedule with its integrator and control, before its first update.
   std::function<std::unique_ptr<Schedule>()> schedule;
