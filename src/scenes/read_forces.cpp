@@ -16,9 +16,8 @@ using Pairs = std::vector<std::array<int, 2>>;
 using Components = std::vector<double>;  // shape (dimension)
 constexpr std::size_t max_pairs = 50'000'000;
 
-/// "pairs": a list of pairs, "edges" of the mesh, or "all". Listed pairs must be of two different particles that do not
-/// lie in the same place.
-Pairs read_pairs(const Value& value, const Particles& particles, const char* law) {
+/// "pairs": a list of pairs, "edges" of the mesh, or "all". Listed pairs must be of two different particles.
+Pairs read_pairs(const Value& value, const Particles& particles) {
   const auto count = static_cast<std::size_t>(particles.state.position.rows());
   Pairs pairs;
   if (value.is_string()) {
@@ -45,16 +44,18 @@ Pairs read_pairs(const Value& value, const Particles& particles, const char* law
       if (pairs.back()[0] == pairs.back()[1]) pair.refuse("two different particles");
     }
   }
-  for (std::size_t e = 0; e < pairs.size(); ++e) {
-    const auto [a, b] = pairs[e];
-    if (particles.state.position.row(a) == particles.state.position.row(b)) {
-      const std::string who = std::to_string(a) + " and " + std::to_string(b);
-      throw SceneError(value.path() + (value.is_string() ? "" : "[" + std::to_string(e) + "]") +
-                       ": particles " + who + " lie in the same place, where the force of a " + law +
-                       " has no direction; must be apart");
-    }
-  }
   return pairs;
+}
+
+/// Refuses element e where its particles lie in the same place. law, else: what has no direction there, and what has.
+void require_apart(const Value& value, const Particles& particles, const Pairs& pairs, std::size_t e,
+                   const char* law, const char* otherwise) {
+  const auto [a, b] = pairs[e];
+  if (particles.state.position.row(a) != particles.state.position.row(b)) return;
+  const std::string who = std::to_string(a) + " and " + std::to_string(b);
+  throw SceneError(value.path() + (value.is_string() ? "" : "[" + std::to_string(e) + "]") + ": particles " +
+                   who + " lie in the same place, where the force of a " + law +
+                   " has no direction; must be apart, or " + otherwise);
 }
 
 /// Elements in one order, however the scene lists them: by particles, then by parameters.
@@ -84,29 +85,60 @@ std::vector<std::array<int, 1>> moving(const Particles& particles) {
   return all;
 }
 
+/// Springs of length 0 are elements of a law of their own: the others pay nothing for it.
 Pairs read_spring(const Value& force, const Particles& particles, const Components&, System<double>& system) {
-  Pairs pairs = read_pairs(force.at("pairs", "edges"), particles, "spring");
+  const Value listed = force.at("pairs", "edges");
+  const Pairs pairs = read_pairs(listed, particles);
   const auto stiffness = force.at("stiffness").numbers(pairs.size(), non_negative, "spring");
   const Value rest = force.at("rest_length", "initial");
+  const bool initial = rest.is_string();
   std::vector<double> length;
-  if (rest.is_string()) {
+  if (initial) {
     rest.one_of({"initial"});
     for (const auto& [a, b] : pairs)
       length.push_back((particles.state.position.row(a) - particles.state.position.row(b)).norm());
   } else {
-    length = rest.numbers(pairs.size(), positive, "spring");
+    length = rest.numbers(pairs.size(), non_negative, "spring");
   }
+  Pairs of_some_length, of_none;
   std::vector<std::array<double, 2>> parameters;
-  for (std::size_t e = 0; e < pairs.size(); ++e) parameters.push_back({stiffness[e], length[e]});
-  sort_elements(pairs, parameters);
-  system.add<Spring>(pairs, parameters);
-  return pairs;
+  std::vector<std::array<double, 1>> stiffness_of_none;
+  for (std::size_t e = 0; e < pairs.size(); ++e) {
+    if (initial || length[e] != 0)
+      require_apart(listed, particles, pairs, e, "spring", "their spring of rest_length 0");
+    if (length[e] != 0) {
+      of_some_length.push_back(pairs[e]);
+      parameters.push_back({stiffness[e], length[e]});
+    } else {
+      of_none.push_back(pairs[e]);
+      stiffness_of_none.push_back({stiffness[e]});
+    }
+  }
+  sort_elements(of_some_length, parameters);
+  sort_elements(of_none, stiffness_of_none);
+  if (!of_some_length.empty() || of_none.empty()) system.add<Spring>(of_some_length, parameters);
+  if (!of_none.empty()) system.add<ZeroLengthSpring>(of_none, stiffness_of_none);
+  of_some_length.insert(of_some_length.end(), of_none.begin(), of_none.end());
+  return of_some_length;
 }
 
 Pairs read_gravity(const Value& force, const Particles& particles, const Components&,
                    System<double>& system) {
-  Pairs pairs = read_pairs(force.at("pairs", "all"), particles, "gravity");
+  const Value listed = force.at("pairs", "all");
+  Pairs pairs = read_pairs(listed, particles);
   const double constant = force.at("constant", 1.0).number();
+  const Value soft = force.at("softening", 0.0);
+  const double softening = soft.number(non_negative);
+  if (softening != 0 && !(1e-100 <= softening && softening <= 1e150))
+    soft.refuse("0, or from 1e-100 to 1e150, so that its powers are numbers");
+  if (softening != 0) {
+    std::vector<std::array<double, 2>> parameters(pairs.size(), {constant, softening});
+    sort_elements(pairs, parameters);
+    system.add<SoftenedGravity>(pairs, parameters);
+    return {};
+  }
+  for (std::size_t e = 0; e < pairs.size(); ++e)
+    require_apart(listed, particles, pairs, e, "gravity", "its softening > 0");
   std::vector<std::array<double, 1>> parameters(pairs.size(), {constant});
   sort_elements(pairs, parameters);
   system.add<Gravity>(pairs, parameters);
@@ -182,7 +214,10 @@ const std::vector<ForceRecord>& force_records() {
        "Springs between pairs of particles",
        {{"pairs", "a list, `edges` of the mesh, `all`", "edges"},
         stiffness,
-        {"rest_length", "[m], > 0: one for all or one for each; `initial`: what it is at the beginning",
+        {"rest_length",
+         "[m], >= 0: one for all or one for each; `initial`: what it is at the beginning. At 0 the force is "
+         "k d, "
+         "and the ends may coincide",
          "initial"}},
        read_spring},
       {Drag::name,
@@ -195,7 +230,11 @@ const std::vector<ForceRecord>& force_records() {
        read_uniform_field},
       {Gravity::name,
        "Attraction of pairs of particles by their masses",
-       {{"pairs", "a list, `edges` of the mesh, `all`", "all"}, {"constant", "G [m^3/(kg s^2)]", "1"}},
+       {{"pairs", "a list, `edges` of the mesh, `all`", "all"},
+        {"constant", "G [m^3/(kg s^2)]", "1"},
+        {"softening",
+         "epsilon [m], >= 0, of Plummer: G m_1 m_2 d / (|d|^2 + epsilon^2)^(3/2), where particles may meet",
+         "0"}},
        read_gravity},
       {Floor::name,
        "A floor that pushes back what is below it. Steps of `taylor` and `random_taylor` that a control "

@@ -137,6 +137,32 @@ TEST(ClosedForm, GravityTurnsOnACircle) {  // w^2 r^3 = G (m_0 + m_1): 4 * 8 = 1
   }
 }
 
+TEST_P(InDimension,
+       ZeroLengthSpringOscillatesThroughItsEnds) {  // d = A sin wt, w^2 = k (1/m_0 + 1/m_1), in every axis
+  System<Number> system(d, {1.0, 3.0});
+  system.add<ZeroLengthSpring>({{0, 1}}, {{3.0}});  // w = 2
+  const auto motion = expand(system, {cut({1, 1, 1}), cut({1, 1, 1})}, {cut({0, 0, 0}), cut({1, -2, 3})});
+  const double v[] = {1, -2, 3};  // A = v/2; the centre of mass goes with 3/4 v
+  for (int axis = 0; axis < d; ++axis) {
+    const auto centre = [&](int k) { return Digits50(k == 0 ? 1 : k == 1 ? 0.75 * v[axis] : 0); };
+    EXPECT_THAT(series_of(motion, 0, axis), HasCoefficients([&](int k) {
+                  return centre(k) - 0.75 * v[axis] / 2 * sin_coefficient(2, k);
+                }));
+    EXPECT_THAT(series_of(motion, 1, axis), HasCoefficients([&](int k) {
+                  return centre(k) + 0.25 * v[axis] / 2 * sin_coefficient(2, k);
+                }));
+  }
+}
+
+TEST(ClosedForm,
+     SoftenedGravityTurnsOnACircle) {  // w^2 (r^2 + e^2)^{3/2} = G (m_0 + m_1): 4 * (4 + 9/4)^{3/2} = 62.5
+  for (const int d : {2, 3}) {
+    System<Number> system(d, {0.5, 1.5});
+    system.add<SoftenedGravity>({{0, 1}}, {{31.25, 1.5}});
+    expect_circles(system, d);
+  }
+}
+
 TEST(ClosedForm, GravityOnALineLetsEscapeWithEnergyZero) {
   // x'^2 = 2 G M / x, so x = (x_0^{3/2} + 3/2 sqrt(2 G M) t)^{2/3};  here x = (1 + 3t/2)^{2/3}, from a fixed
   // mass
@@ -181,6 +207,22 @@ TEST(ClosedForm, GravityFallsWithTheSquareOfTheDistance) {  // G m_0 m_1 = 6 G
   EXPECT_THAT(Gravity::force(at_distance<2>(V2(3, 4)), 125.0), IsCloseTo(V2(18, 24), ulps(4)));
   EXPECT_THAT(Gravity::force(at_distance<3>(V3(2, 3, 6)), 343.0), IsCloseTo(V3(12, 18, 36), ulps(4)));
   EXPECT_THAT(Gravity::energy(at_distance<3>(V3(2, 3, 6)), 343.0), IsCloseTo(-294.0, ulps(4)));
+}
+
+TEST(ClosedForm, SoftenedGravityIsThatOfADistanceInOneMoreDimension) {  // 6 G d / (|d|^2 + e^2)^{3/2}
+  using V2 = Vector<double, 2>;
+  using V3 = Vector<double, 3>;
+  EXPECT_THAT(SoftenedGravity::force(at_distance<2>(V2(3, 4)), 2197.0, 12.0), IsCloseTo(V2(18, 24), ulps(4)));
+  EXPECT_THAT(SoftenedGravity::energy(at_distance<2>(V2(3, 4)), 13.0, 12.0), IsCloseTo(-6.0, ulps(4)));
+  EXPECT_EQ(SoftenedGravity::force(at_distance<3>(V3(0, 0, 0)), 2.0, 1e-100), V3(0, 0, 0));
+  EXPECT_THAT(SoftenedGravity::energy(at_distance<3>(V3(0, 0, 0)), 2.0, 3.0), IsCloseTo(-4.0, ulps(4)));
+}
+
+TEST(ClosedForm, ZeroLengthSpringPullsWithStiffnessTimesDistance) {
+  using V3 = Vector<double, 3>;
+  EXPECT_EQ(ZeroLengthSpring::force(at_distance<3>(V3(2, 3, 6)), 0.5), V3(1, 1.5, 3));
+  EXPECT_EQ(ZeroLengthSpring::force(at_distance<3>(V3(0, 0, 0)), 0.5), V3(0, 0, 0));
+  EXPECT_THAT(ZeroLengthSpring::energy(at_distance<3>(V3(2, 3, 6)), 4.0), IsCloseTo(98.0, ulps(4)));
 }
 
 }  // namespace

@@ -7,8 +7,10 @@
 #include "jetlag/forces/drag.hpp"
 #include "jetlag/forces/floor.hpp"
 #include "jetlag/forces/gravity.hpp"
+#include "jetlag/forces/softened_gravity.hpp"
 #include "jetlag/forces/spring.hpp"
 #include "jetlag/forces/uniform_field.hpp"
+#include "jetlag/forces/zero_length_spring.hpp"
 
 namespace jetlag {
 
@@ -21,11 +23,13 @@ struct LawList {
   }
 };
 
-using Forces = LawList<Spring,        //
-                       UniformField,  //
-                       Drag,          //
-                       Gravity,       //
-                       Floor,         //
+using Forces = LawList<Spring,            //
+                       ZeroLengthSpring,  //
+                       UniformField,      //
+                       Drag,              //
+                       Gravity,           //
+                       SoftenedGravity,   //
+                       Floor,             //
                        QuadraticFloor>;
 
 }  // namespace jetlag

@@ -7,7 +7,8 @@
 namespace jetlag {
 
 /// F_0 = G m_0 m_1 d / |d|^3,   d = x_1 - x_0;   E = -G m_0 m_1 / |d|.         Source: Newton.
-/// constant G [m^3 / (kg s^2)].   Range: d != 0. There the force is not finite.
+/// constant G [m^3 / (kg s^2)].   Range: d != 0. There the force is not finite, that of
+/// SoftenedGravity is.
 /// Its stiffness 2 G m_0 m_1 / |d|^3 grows as they come together: `courant` limits go without it.
 /// Conserves: momentum, angular momentum, energy.
 struct Gravity {

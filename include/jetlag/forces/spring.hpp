@@ -9,7 +9,8 @@
 namespace jetlag {
 
 /// F_0 = k (|d| - L) d / |d|,   d = x_1 - x_0;   E = k/2 (|d| - L)^2.         Source: Hooke.
-/// stiffness k [N/m], rest_length L [m].   Range: d != 0. There the force is not finite from coefficient 1 on.
+/// stiffness k [N/m], rest_length L [m].   Range: d != 0. There the force is not finite from coefficient 1 on; of
+/// rest_length 0 take a ZeroLengthSpring, which is finite everywhere.
 /// Conserves: momentum, angular momentum, energy.
 struct Spring {
   static constexpr const char* name = "spring";
