@@ -55,9 +55,7 @@ int run(const EnsembleArguments& arguments) {
   const Scene scene = arguments.scene.load();
   kernels<double>();  // a wrong JETLAG_INSTRUCTION_SET is bad input: said before anything is written
   std::filesystem::path folder = arguments.folder;
-  if (folder.empty())
-    folder = std::filesystem::path("out") /
-             (std::filesystem::path(arguments.scene.scene).stem().string() + "_ensemble");
+  if (folder.empty()) folder = std::filesystem::path("out") / (arguments.scene.stem() + "_ensemble");
   stop_in_good_order();
   std::vector<std::string> warnings = scene.warnings;
   EnsembleResult result;

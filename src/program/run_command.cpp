@@ -37,9 +37,7 @@ int run(const RunArguments& arguments) {
   const Scene scene = arguments.scene.load();
   kernels<double>();  // a wrong JETLAG_INSTRUCTION_SET is bad input: said before anything is written
   const std::filesystem::path folder =
-      arguments.folder.empty()
-          ? std::filesystem::path("out") / std::filesystem::path(arguments.scene.scene).stem()
-          : arguments.folder;
+      arguments.folder.empty() ? std::filesystem::path("out") / arguments.scene.stem() : arguments.folder;
   stop_in_good_order();
   RunHooks hooks;
   std::vector<std::string> warnings;

@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <cstdint>
+#include <filesystem>
 #include <iterator>
 
 #include "jetlag/scenes/error.hpp"
@@ -10,13 +11,15 @@
 namespace jetlag {
 
 std::vector<Option> SceneArguments::options(std::vector<Option> more) {
-  std::vector<Option> all = {
-      {.name = "scene", .target = &scene, .what = "a built-in scene or a JSON file", .required = true},
-      {.name = "--set",
-       .target = &settings,
-       .what = "replace a value: key.path=value, may be repeated",
-       .once_each = true},
-      {"--seed", &seed, "seed of the random numbers"}};
+  std::vector<Option> all = {{.name = "scene",
+                              .target = &scene,
+                              .what = "a built-in scene, a JSON file, or -: standard input",
+                              .required = true},
+                             {.name = "--set",
+                              .target = &settings,
+                              .what = "replace a value: key.path=value, may be repeated",
+                              .once_each = true},
+                             {"--seed", &seed, "seed of the random numbers"}};
   all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   return all;
 }
@@ -28,6 +31,10 @@ Scene SceneArguments::load() const {
   if (error != std::errc() || end != seed.data() + seed.size())
     throw SceneError("--seed: got " + seed + "; must be a whole number from 0 to 18446744073709551615");
   return load_scene(scene, settings, number);
+}
+
+std::string SceneArguments::stem() const {
+  return scene == standard_input ? "stdin" : std::filesystem::path(scene).stem().string();
 }
 
 }  // namespace jetlag

@@ -19,6 +19,8 @@ struct SceneArguments {
   std::vector<Option> options(std::vector<Option> more = {});
   /// Throws SceneError.
   Scene load() const;
+  /// What results are called after where nothing else is said: the name of the scene without folder and ending.
+  std::string stem() const;
 };
 
 }  // namespace jetlag

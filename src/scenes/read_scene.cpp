@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 
 #include "jetlag/base/text.hpp"
 #include "jetlag/forces/forces.hpp"
@@ -13,6 +11,7 @@
 #include "jetlag/scenes/error.hpp"
 #include "scenes/choices.hpp"
 #include "scenes/parts.hpp"
+#include "scenes/scene_text.hpp"
 
 namespace jetlag {
 
@@ -132,7 +131,7 @@ Scene read_scene(std::string_view json, const std::string& source, const std::fi
 Scene load_scene(const std::string& name_or_file, const std::vector<std::string>& settings,
                  std::optional<std::uint64_t> seed) {
   std::string text;
-  std::filesystem::path folder = std::filesystem::current_path();
+  std::filesystem::path folder;
   const auto& scenes = built_in_scenes();
   const auto built_in = std::ranges::find(scenes, name_or_file, &BuiltInScene::name);
   if (built_in != scenes.end()) {
@@ -140,14 +139,10 @@ Scene load_scene(const std::string& name_or_file, const std::vector<std::string>
   } else {
     std::string names;
     for (const auto& scene : scenes) names += (names.empty() ? "" : ", ") + scene.name;
-    std::ifstream file(name_or_file, std::ios::binary);
-    if (!std::filesystem::is_regular_file(name_or_file) || !file)
-      throw SceneError("scene: got \"" + name_or_file + "\"; must be one of " + names +
-                       ", or a JSON file that can be read");
-    text.assign(std::istreambuf_iterator<char>(file), {});
-    folder = std::filesystem::absolute(name_or_file).parent_path();
+    text = scene_text(name_or_file, "one of " + names + ", -, or a JSON file that can be read");
+    if (name_or_file != standard_input) folder = std::filesystem::path(name_or_file).parent_path();
   }
-  Document document(text, name_or_file);
+  Document document(text, name_or_file == standard_input ? "standard input" : name_or_file);
   if (!document.root().is_object()) throw SceneError("(the whole scene): must be a JSON object");
   for (const std::string& setting : settings) document.set(setting);
   if (seed) document.set("seed=" + std::to_string(*seed));

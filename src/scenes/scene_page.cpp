@@ -11,7 +11,8 @@ namespace {
 constexpr const char* top = R"(# A scene file
 
 A scene is a JSON object; `jetlag show two_body` prints one to begin with, `jetlag check FILE` says whether one is valid
-and what it would cost. A number stands for "the same for all" where there is one for each. Units are SI; lengths are in
+and what it would cost. `-` in place of a file is standard input, and pipes are read too. Whole numbers may have a point
+(`2.0`). A number stands for "the same for all" where there is one for each. Units are SI; lengths are in
 [m]. What is wrong with a scene is said with its key, its value and what is allowed, and nothing is written then.
 
 )";

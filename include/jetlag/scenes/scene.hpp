@@ -52,7 +52,11 @@ struct Scene {
 /// Throws SceneError.
 Scene read_scene(std::string_view json, const std::string& source, const std::filesystem::path& folder);
 
-/// A scene by built-in name or from a file, with values replaced: "key.path=value", value in JSON or a plain word.
+/// The name that stands for a scene from standard input.
+inline constexpr std::string_view standard_input = "-";
+
+/// A scene by built-in name, from a file, a pipe or standard input, with values replaced: "key.path=value", value in JSON
+/// or a plain word. A named pipe that nobody opens for writing within a second is refused.
 /// Throws SceneError.
 Scene load_scene(const std::string& name_or_file, const std::vector<std::string>& settings = {},
                  std::optional<std::uint64_t> seed = std::nullopt);
