@@ -2,7 +2,6 @@
 #include "jetlag/output/clock_table.hpp"
 
 #include "jetlag/base/text.hpp"
-#include "jetlag/output/files.hpp"
 
 namespace jetlag {
 
@@ -29,12 +28,12 @@ void ClockTable::thin_out() {
   });
 }
 
-void write_clocks_csv(const std::filesystem::path& path, const ClockTable& clocks) {
+void write_clocks_csv(const std::filesystem::path& path, const ClockTable& clocks, Until until) {
   std::string table = "particle,time,step,degree\n";
   for (const Update& row : clocks.rows())
     table += std::to_string(row.particle) + ',' + number(row.begin) + ',' + number(row.step) + ',' +
              std::to_string(row.degree) + '\n';
-  write_file(path, table);
+  write_file(path, table, until);
 }
 
 }  // namespace jetlag

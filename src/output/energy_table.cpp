@@ -5,16 +5,15 @@
 #include <cmath>
 
 #include "jetlag/base/text.hpp"
-#include "jetlag/output/files.hpp"
 
 namespace jetlag {
 
-void write_energy_csv(const std::filesystem::path& path, const std::vector<EnergyRow>& rows) {
+void write_energy_csv(const std::filesystem::path& path, const std::vector<EnergyRow>& rows, Until until) {
   std::string table = "time,kinetic,potential,total,relative_error\n";
   for (const auto& [time, energy, relative_error] : rows)
     table += field(time) + ',' + field(energy.kinetic) + ',' + field(energy.potential) + ',' +
              field(energy.total()) + ',' + field(relative_error) + '\n';
-  write_file(path, table);
+  write_file(path, table, until);
 }
 
 }  // namespace jetlag

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "jetlag/base/text.hpp"
-#include "jetlag/output/files.hpp"
 #include "output/json.hpp"
 
 namespace jetlag {
@@ -105,7 +104,7 @@ std::string name_of(const Quantity& quantity) {
   return (quantity.of_velocity ? "v" : "") + std::string(1, "xyz"[quantity.component]);
 }
 
-void write_ensemble_csv(const std::filesystem::path& path, const EnsembleResult& result) {
+void write_ensemble_csv(const std::filesystem::path& path, const EnsembleResult& result, Until until) {
   std::string table = "time,particle,quantity,mean,spread,q05,q25,q50,q75,q95,mean_low,mean_high,reference\n";
   for (const EnsembleFrame& frame : result.frames)
     for (std::size_t q = 0; q < result.quantities.size(); ++q) {
@@ -117,7 +116,7 @@ void write_ensemble_csv(const std::filesystem::path& path, const EnsembleResult&
       table += ',' + field(sample.mean - sample.half_width) + ',' + field(sample.mean + sample.half_width) +
                ',' + field(frame.reference[q]) + '\n';
     }
-  write_file(path, table);
+  write_file(path, table, until);
 }
 
 std::string to_json(const EnsembleResult& result) {

@@ -41,7 +41,7 @@ class Draft {
  public:
   explicit Draft(const fs::path& target) : target_(target) {
     for (int n = 0; file_ == -1; ++n) {
-      draft_ = target.parent_path() / fmt::format(".jetlag-{}-{}", ::getpid(), n);
+      draft_ = draft_beside(target, n);
       file_ = uninterrupted(
           [&] { return ::open(draft_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666); });
       if (file_ == -1 && errno != EEXIST) fail("cannot write", target_);
@@ -77,7 +77,32 @@ class Draft {
   int file_ = -1;
 };
 
+/// Whether draft_beside gives such a name: ".jetlag-PID-N".
+bool is_draft(std::string_view name) {
+  constexpr std::string_view start = ".jetlag-";
+  if (!name.starts_with(start)) return false;
+  const auto is_number = [](std::string_view text) {
+    return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+  };
+  const std::string_view rest = name.substr(start.size());
+  const auto dash = rest.find('-');
+  return dash != std::string_view::npos && is_number(rest.substr(0, dash)) &&
+         is_number(rest.substr(dash + 1));
+}
+
 }  // namespace
+
+fs::path draft_beside(const fs::path& target, int n) {
+  return target.parent_path() / fmt::format(".jetlag-{}-{}", ::getpid(), n);
+}
+
+void sweep_drafts(const fs::path& folder) {
+  std::error_code ignored;  // what cannot be removed stays, and hinders nobody
+  std::vector<fs::path> drafts;
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
+    if (is_draft(entry.path().filename().string())) drafts.push_back(entry.path());
+  for (const fs::path& draft : drafts) fs::remove_all(draft, ignored);
+}
 
 void write_file(const fs::path& path, std::string_view text, Until until) {
   // A device or a pipe in this place would be replaced by a file, which nobody means.

@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "jetlag/base/text.hpp"
-#include "jetlag/output/files.hpp"
 
 namespace jetlag {
 
@@ -118,7 +117,7 @@ void write_vtu(const std::filesystem::path& path, const Shape& shape, const Fram
 }
 
 void write_pvd(const std::filesystem::path& path, const std::vector<double>& times,
-               const std::vector<std::string>& files) {
+               const std::vector<std::string>& files, Until until) {
   if (times.size() != files.size()) throw std::invalid_argument("write_pvd: each file needs its time");
   std::string list;
   for (std::size_t i = 0; i < files.size(); ++i) {
@@ -127,7 +126,7 @@ void write_pvd(const std::filesystem::path& path, const std::vector<double>& tim
     list +=
         "<DataSet timestep=\"" + number(times[i]) + "\" part=\"0\" file=\"" + escaped(files[i]) + "\"/>\n";
   }
-  write_file(path, file("Collection", list));
+  write_file(path, file("Collection", list), until);
 }
 
 }  // namespace jetlag

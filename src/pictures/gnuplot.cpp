@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// gnuplot as a child process. All its files have fixed names in a temporary folder, so that no name a user
-// chose is ever part of a command; a picture that is there is complete.
+// gnuplot as a child process. All its files have fixed names in a folder of their own beside the picture, so that no name
+// a user chose is ever part of a command; a picture that is there is complete.
 #include "pictures/gnuplot.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
-#include <stdlib.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,6 +16,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "jetlag/base/text.hpp"
 #include "jetlag/output/files.hpp"
 
 namespace jetlag::gnuplot {
@@ -28,13 +29,18 @@ namespace {
   throw std::runtime_error(what + ": " + std::generic_category().message(error));
 }
 
-/// An empty folder, for as long as this lives.
+/// An empty folder beside a picture, for as long as this lives: a draft, which the next run sweeps where the process was
+/// killed.
 class Workshop {
  public:
-  Workshop() {
-    std::string name = (fs::temp_directory_path() / "jetlag-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) fail("cannot create " + name, errno);
-    path = name;
+  explicit Workshop(const fs::path& picture) {
+    for (int n = 0; path.empty(); ++n) {
+      const fs::path folder = draft_beside(picture, n);
+      if (::mkdir(folder.c_str(), 0700) == 0)
+        path = folder;
+      else if (errno != EEXIST)
+        fail("cannot write " + shown_name(picture.string()), errno);
+    }
   }
   Workshop(const Workshop&) = delete;
   Workshop& operator=(const Workshop&) = delete;
@@ -87,7 +93,7 @@ std::string terminal(const fs::path& picture, const Sheet& sheet) {
                                          sheet.width, sheet.height, sheet.letters);
   if (picture.extension() == ".svg") return "set terminal svg dynamic rounded " + common + "\n";
   if (picture.extension() != ".png")
-    throw std::invalid_argument("a picture must be .png or .svg, got " + picture.string());
+    throw std::invalid_argument("a picture must be .png or .svg, got " + shown_name(picture.string()));
   // gnuplot's points are 4/3 pixels in a PNG and 1 pixel in an SVG.
   return "if (strstrt(GPVAL_TERMINALS, ' pngcairo ') > 0) {\n  set terminal pngcairo rounded fontscale "
          "0.75 " +
@@ -122,12 +128,13 @@ std::string quoted(std::string_view text) {
 void draw(const fs::path& picture, const Sheet& sheet, const std::string& commands, const std::string& data) {
   const std::string start = "set encoding utf8\n" + terminal(picture, sheet) + "set output 'picture'\n";
   const fs::path gnuplot = program();
-  if (gnuplot.empty()) throw std::runtime_error("gnuplot is not in PATH; it draws " + picture.string());
-  const Workshop workshop;
+  if (gnuplot.empty())
+    throw std::runtime_error("gnuplot is not in PATH; it draws " + shown_name(picture.string()));
+  const Workshop workshop(picture);
   write_file(workshop.path / "data.csv", data);
   write_file(workshop.path / "script", start + commands + "\nunset output\n");
   if (!run(gnuplot, workshop.path))
-    throw std::runtime_error("gnuplot failed to draw " + picture.string() + ": " +
+    throw std::runtime_error("gnuplot failed to draw " + shown_name(picture.string()) + ": " +
                              read_file(workshop.path / "messages"));
   write_file(picture, read_file(workshop.path / "picture"));
 }

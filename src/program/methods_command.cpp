@@ -4,6 +4,7 @@
 
 #include "jetlag/base/text.hpp"
 #include "jetlag/output/files.hpp"
+#include "jetlag/output/result_folder.hpp"
 #include "jetlag/scenes/error.hpp"
 #include "program/commands.hpp"
 #include "scenes/methods/methods.hpp"
@@ -25,8 +26,7 @@ void list() {
 }
 
 void write_all(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);  // write_file says what is wrong
+  const ResultFolder held(folder);
   for (const MethodRecord& record : method_records())
     write_file(folder / (record.name + ".md"), markdown(record), Until::handed_over);
   write_file(folder / "scene.md", scene_page(), Until::handed_over);

@@ -10,6 +10,7 @@
 
 #include "jetlag/base/text.hpp"
 #include "jetlag/output/files.hpp"
+#include "jetlag/output/result_folder.hpp"
 #include "jetlag/scenes/error.hpp"
 #include "jetlag/truncation/poisson.hpp"
 #include "jetlag/truncation/stability.hpp"
@@ -178,8 +179,7 @@ int run(const StabilityArguments& arguments) {
 
   reach = std::ceil(2.4 * reach + 1) / 2;
   const Map map(law, velocity, known, reach);
-  std::error_code error;
-  std::filesystem::create_directories(arguments.folder, error);  // write_file says what is wrong
+  const ResultFolder held(arguments.folder);
   const std::filesystem::path csv = arguments.folder / "stability.csv",
                               picture = arguments.folder / "stability.svg";
   write_file(csv, map.csv);

@@ -9,6 +9,7 @@
 #include "jetlag/base/text.hpp"
 #include "jetlag/control/jorba_zou.hpp"
 #include "jetlag/output/files.hpp"
+#include "jetlag/output/result_folder.hpp"
 #include "jetlag/pictures/pictures.hpp"
 #include "jetlag/tape/kernels.hpp"
 #include "jetlag/truncation/draws.hpp"
@@ -16,6 +17,7 @@
 #include "runs/ensemble_options.hpp"
 #include "runs/ensemble_statistics.hpp"
 #include "runs/ensemble_watch.hpp"
+#include "runs/outputs/output.hpp"
 #include "runs/outputs/picture.hpp"
 
 namespace jetlag {
@@ -75,8 +77,13 @@ class EnsembleRun {
     for (std::size_t i = 0; i < members_.size(); ++i) alive_.push_back(i);
   }
 
-  EnsembleResult run() {
-    const int last = scene_.output.frames;
+  /// measured: told after each frame, of what there is so far.
+  EnsembleResult run(const std::function<void(const EnsembleResult&)>& measured = {}) {
+    const int last = std::max(1, scene_.output.frames);
+    const auto measure = [&](double time) {
+      this->measure(time);
+      if (measured) measured(result_);
+    };
     measure(0.0);
     for (int f = 1; f <= last; ++f) {
       const double t = f == last ? scene_.until : scene_.until * f / last;
@@ -177,10 +184,14 @@ EnsembleResult run_ensemble_into(const Scene& scene, const EnsembleOptions& opti
   check(scene, options);
   const Watch watch = read_watch(scene, options.watch);
   EnsembleRun ensemble(scene, options, hooks);  // its memory is taken before anything is written
-  std::filesystem::create_directories(folder);
-  for (const char* name : ensemble_files) std::filesystem::remove(folder / name);
+  const ResultFolder held(folder);
+  remove_earlier_results(folder);
   write_file(folder / "scene.json", scene.json + "\n");
-  EnsembleResult result = ensemble.run();
+  ListGrowth growth{1. / 2};
+  EnsembleResult result = ensemble.run([&](const EnsembleResult& so_far) {
+    if (growth.is_due(so_far.frames.size() * so_far.quantities.size()))
+      write_ensemble_csv(folder / "ensemble.csv", so_far, Until::handed_over);
+  });
   write_ensemble_csv(folder / "ensemble.csv", result);
   write_file(folder / "ensemble.json", to_json(result));
   if (scene.output.pictures)

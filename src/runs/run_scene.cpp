@@ -4,6 +4,7 @@
 #include "jetlag/base/stopwatch.hpp"
 #include "jetlag/base/text.hpp"
 #include "jetlag/model/finite.hpp"
+#include "jetlag/output/result_folder.hpp"
 #include "jetlag/tape/kernels.hpp"
 #include "jetlag/version.hpp"
 #include "runs/outputs/output.hpp"
@@ -13,8 +14,7 @@ namespace jetlag {
 
 namespace {
 
-RunResult run_schedule(const Scene& scene, Schedule& schedule, const RunHooks& hooks) {
-  RunResult result;
+void run_schedule(const Scene& scene, Schedule& schedule, const RunHooks& hooks, RunResult& result) {
   Summary& summary = result.summary;
   summary.warnings = scene.warnings;
   State<double> state = scene.initial;
@@ -67,37 +67,36 @@ RunResult run_schedule(const Scene& scene, Schedule& schedule, const RunHooks& h
   summary.seed = scene.seed;
   summary.threads = scene.threads;
   summary.instruction_set = kernels<double>().instruction_set;
-  return result;
-}
-
-void remove_earlier_run(const std::filesystem::path& folder) {
-  for (const auto& output : all_outputs())
-    for (const auto& file : files_of(*output, folder)) std::filesystem::remove(folder / file);
 }
 
 }  // namespace
 
 RunResult run_scene(const Scene& scene, const RunHooks& hooks) {
-  return run_schedule(scene, *scene.schedule(), hooks);
+  RunResult result;
+  run_schedule(scene, *scene.schedule(), hooks, result);
+  return result;
 }
 
 RunResult run_scene_into(const Scene& scene, const std::filesystem::path& folder, const RunHooks& hooks,
                          std::vector<std::string>& warnings) {
   const auto schedule = scene.schedule();  // its memory is taken before anything is written
-  std::filesystem::create_directories(folder);
-  remove_earlier_run(folder);
+  const ResultFolder held(folder);
+  remove_earlier_results(folder);
   auto outputs = all_outputs();
   std::erase_if(outputs, [&](const auto& output) { return !output->is_wanted(scene.output); });
 
+  RunResult result;
   const RecordedRun run{scene, folder, warnings};
   for (const auto& output : outputs) output->begin(run);
   RunHooks all = hooks;
   all.frame = [&](const Frame& frame) {
-    for (const auto& output : outputs) output->frame(run, frame);
+    for (const auto& output : outputs) output->frame(run, frame, result);
     if (hooks.frame) hooks.frame(frame);
   };
-  RunResult result = run_schedule(scene, *schedule, all);
-  for (const auto& output : outputs) output->end(run, result);
+  run_schedule(scene, *schedule, all, result);
+  for (const auto turn : {Output::Turn::table, Output::Turn::summary, Output::Turn::picture})
+    for (const auto& output : outputs)
+      if (output->turn() == turn) output->end(run, result);
   return result;
 }
 

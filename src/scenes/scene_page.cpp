@@ -20,10 +20,14 @@ and what it would cost. `-` in place of a file is standard input, and pipes are 
 constexpr const char* below = R"(## What a run leaves
 
 In the folder of `--out`: `scene.json`, the complete scene with all defaults, so that the run can be repeated;
-`summary.json`; by `output` also `energy.csv`, `clocks.csv`, pictures, and frames for ParaView.
+`summary.json`; by `output` also `energy.csv`, `clocks.csv`, pictures, and frames for ParaView. What an earlier run or
+ensemble left there under such names goes first. Whatever happens to the process, what is under a name is whole and of one
+run: the list of frames and the tables grow with the run (of more than 256 frames they are up to 3 % behind), `summary.json`
+and the pictures come last; hidden drafts (`.jetlag-..`) of a run that was killed go at the next one there. A second run
+into the folder is refused as long as the first goes on.
 
-Exit codes: 0, also where a warning was printed; 1 for a folder or file that cannot be written (no rights, a full disk),
-which is named with the reason; 2 for a scene or an argument that is wrong; 3 for a run that cannot reach its end: it says
+Exit codes: 0, also where a warning was printed; 1 for a folder or file that cannot be written (no rights, a full disk,
+another run that writes there), which is named with the reason; 2 for a scene or an argument that is wrong; 3 for a run that cannot reach its end: it says
 when, which particle and what to do, and leaves the last good state. Ctrl-C, SIGTERM and SIGHUP (a terminal that is closed)
 end a run in good order, with the outputs up to there.
 

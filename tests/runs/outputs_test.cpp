@@ -93,6 +93,40 @@ TEST(Outputs, OfAnEarlierRunGo) {
   EXPECT_THAT(wanted, IsSubsetOf(before));
 }
 
+/// It may be the one that is run now, and the only copy: it is replaced, never gone.
+TEST(Outputs, OfAnEarlierRunGoButForTheScene) {
+  const TemporaryFolder folder;
+  run_into(scene(all(true)), folder.path());
+  write(folder / "ensemble.csv", "of an ensemble");
+  remove_earlier_results(folder.path());
+  EXPECT_EQ(files_in(folder.path()), std::set<std::string>{"scene.json"});
+  EXPECT_FALSE(fs::exists(folder / "frames"));
+}
+
+/// Each row of a few, and of many so seldom that all that is written is a few times the last of it.
+TEST(Growth, IsDueAtEachOfTheFirstRowsAndThenInProportion) {
+  ListGrowth growth(1. / 32);
+  std::size_t written = 0;
+  for (std::size_t rows = 1; rows <= 100000; ++rows) {
+    const bool due = growth.is_due(rows);
+    EXPECT_TRUE(due || rows >= 256) << rows;
+    if (due) written += rows;
+  }
+  EXPECT_LE(written, 256u * 256 / 2 + 33u * 100000);  // the sum of a geometric series of ratio 1 + 1/32
+  EXPECT_GE(written, 31u * 100000);
+}
+
+TEST(Outputs, WithoutFramesAreOfTheBeginningAndTheEnd) {
+  const Scene none = scene({"output.frames=0"});
+  std::vector<double> times;
+  RunHooks hooks;
+  hooks.frame = [&](const Frame& frame) { times.push_back(frame.time); };
+  const RunResult result = run_scene(none, hooks);
+  EXPECT_EQ(times, (std::vector<double>{0, 0.2}));
+  EXPECT_EQ(result.energies.size(), 2u);
+  EXPECT_EQ(result.summary.position, run_scene(scene({})).summary.position);
+}
+
 TEST(Outputs, LeaveOtherFilesAlone) {
   const TemporaryFolder folder;
   fs::create_directories(folder / "frames");
@@ -114,7 +148,7 @@ TEST(Outputs, KnowAllTheirFiles) {
     fs::create_directories(own);
     const RecordedRun run{asking, own, warnings};
     output->begin(run);
-    output->frame(run, {0.0, asking.initial.position, asking.initial.velocity});
+    output->frame(run, {0.0, asking.initial.position, asking.initial.velocity}, result);
     output->end(run, result);
     std::set<std::string> known;
     for (const auto& file : files_of(*output, own)) known.insert(file.string());

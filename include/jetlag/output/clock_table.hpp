@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "jetlag/output/files.hpp"
 #include "jetlag/schedule/schedule.hpp"
 
 namespace jetlag {
@@ -42,6 +43,7 @@ class ClockTable {
 };
 
 /// particle,time,step,degree: one line for each update that was kept; time [s] is when the step begins.
-void write_clocks_csv(const std::filesystem::path& path, const ClockTable& clocks);
+void write_clocks_csv(const std::filesystem::path& path, const ClockTable& clocks,
+                      Until until = Until::on_disk);
 
 }  // namespace jetlag

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "jetlag/model/energy.hpp"
+#include "jetlag/output/files.hpp"
 
 namespace jetlag {
 
@@ -17,6 +18,7 @@ struct EnergyRow {
 
 /// Columns: time,kinetic,potential,total,relative_error. A field is empty where its number is not finite.
 /// Throws std::runtime_error as write_file.
-void write_energy_csv(const std::filesystem::path& path, const std::vector<EnergyRow>& rows);
+void write_energy_csv(const std::filesystem::path& path, const std::vector<EnergyRow>& rows,
+                      Until until = Until::on_disk);
 
 }  // namespace jetlag

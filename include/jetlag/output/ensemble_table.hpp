@@ -10,6 +10,7 @@
 
 #include "jetlag/base/outcome.hpp"
 #include "jetlag/base/work.hpp"
+#include "jetlag/output/files.hpp"
 #include "jetlag/output/sample.hpp"
 
 namespace jetlag {
@@ -74,7 +75,8 @@ Calibration over_time(const EnsembleResult& result);
 /// Columns: time,particle,quantity,mean,spread,q05,q25,q50,q75,q95,mean_low,mean_high,reference. One row for each frame
 /// and quantity; the energy has no particle. A field is empty where its number is not known or not finite.
 /// Throws std::runtime_error as write_file.
-void write_ensemble_csv(const std::filesystem::path& path, const EnsembleResult& result);
+void write_ensemble_csv(const std::filesystem::path& path, const EnsembleResult& result,
+                        Until until = Until::on_disk);
 
 /// The content of ensemble.json: all but the samples, with the definitions in words. null: not known or not finite.
 std::string to_json(const EnsembleResult& result);

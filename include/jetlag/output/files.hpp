@@ -17,6 +17,13 @@ enum class Until { on_disk, handed_over };
 /// Throws std::runtime_error with the path and the system's reason: no folder, disk full, a device and not a file.
 void write_file(const std::filesystem::path& path, std::string_view text, Until until = Until::on_disk);
 
+/// What is not finished yet has such a name, beside what it will be: the n-th draft of this process.
+std::filesystem::path draft_beside(const std::filesystem::path& target, int n);
+
+/// Removes the drafts in a folder, files and folders, that no one will finish: those of processes that were killed. Only
+/// for who holds the folder (result_folder.hpp). A folder that is not there has none.
+void sweep_drafts(const std::filesystem::path& folder);
+
 /// The content of a file. Throws std::runtime_error with the path and the system's reason.
 std::string read_file(const std::filesystem::path& path);
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "jetlag/output/files.hpp"
 #include "jetlag/output/shape.hpp"
 
 namespace jetlag {
@@ -22,6 +23,6 @@ void write_vtu(const std::filesystem::path& path, const Shape& shape, const Fram
 
 /// The list that makes a film of frames: files[i], named relative to `path`, is shown at times[i] [s].
 void write_pvd(const std::filesystem::path& path, const std::vector<double>& times,
-               const std::vector<std::string>& files);
+               const std::vector<std::string>& files, Until until = Until::on_disk);
 
 }  // namespace jetlag

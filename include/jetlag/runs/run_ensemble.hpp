@@ -45,8 +45,10 @@ double bytes_needed(const Scene& scene, const EnsembleOptions& options);
 inline constexpr const char* ensemble_files[] = {"ensemble.json", "ensemble.csv", "ensemble.svg",
                                                  "scene.json"};
 
-/// As run_ensemble, and leaves these files in `folder`. What an earlier run left there under these names goes. warnings: what could not be drawn.
-/// Throws std::runtime_error naming a file that cannot be written.
+/// As run_ensemble, and leaves these files in `folder`. What an earlier run or ensemble left there under such names goes
+/// before anything is written; ensemble.csv grows with the frames. What is under a name is whole and of this ensemble, and
+/// the folder is held, as by run_scene_into. warnings: what could not be drawn.
+/// Throws std::runtime_error naming a file or folder that cannot be written.
 EnsembleResult run_ensemble_into(const Scene& scene, const EnsembleOptions& options,
                                  const std::filesystem::path& folder, const EnsembleHooks& hooks,
                                  std::vector<std::string>& warnings);

@@ -40,8 +40,12 @@ RunResult run_scene(const Scene& scene, const RunHooks& hooks = {});
 
 /// As above, and leaves in `folder` what the outputs write that the scene asks for: summary.json, scene.json,
 /// frames/run.pvd with a .vtu for each frame, energy.csv, clocks.csv, and where gnuplot is there energy.svg, clocks.svg
-/// and film.png. What an earlier run left there under these names goes.
-/// warnings: what could not be drawn. Throws std::runtime_error naming a file that cannot be written.
+/// and film.png. What an earlier run or ensemble left there under such names goes before anything is written.
+///
+/// What is under a name is whole and of this run at any moment, also where the process is killed: run.pvd and the tables
+/// grow with the frames (of many, they are some 3 % behind), summary.json and the pictures come last, and a draft that is
+/// left goes at the next run there. While this one runs, another one into the same folder is refused.
+/// warnings: what could not be drawn. Throws std::runtime_error naming a file or folder that cannot be written.
 RunResult run_scene_into(const Scene& scene, const std::filesystem::path& folder, const RunHooks& hooks,
                          std::vector<std::string>& warnings);
 

@@ -17,7 +17,7 @@ class FilmPng final : public Picture {
     stride_ = std::max(1, static_cast<int>(numbers / 4e6));
     stride_ = std::min(stride_, std::max(1, scene.output.frames / 12));
   }
-  void frame(const RecordedRun&, const Frame& frame) override {
+  void frame(const RecordedRun&, const Frame& frame, const RunResult&) override {
     if (count_++ % stride_ == 0)
       frames_.push_back(frame);
     else

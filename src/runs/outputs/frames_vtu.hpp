@@ -25,10 +25,11 @@ class FramesVtu final : public Output {
   }
 
   void begin(const RecordedRun& run) override { std::filesystem::create_directories(run.folder / "frames"); }
-  void frame(const RecordedRun& run, const Frame& frame) override {
+  void frame(const RecordedRun& run, const Frame& frame, const RunResult&) override {
     names_.push_back(frame_name(names_.size()));
     times_.push_back(frame.time);
     write_vtu(run.folder / "frames" / names_.back(), run.scene.shape, frame);
+    if (growth_.is_due(names_.size())) write_pvd(run.folder / file(), times_, names_, Until::handed_over);
   }
   void end(const RecordedRun& run, const RunResult&) override {
     write_pvd(run.folder / file(), times_, names_);
@@ -49,6 +50,7 @@ class FramesVtu final : public Output {
 
   std::vector<double> times_;  // [s]
   std::vector<std::string> names_;
+  ListGrowth growth_{1. / 32};
 };
 
 }  // namespace jetlag

@@ -27,6 +27,7 @@ void draw_or_warn(std::vector<std::string>& warnings, const Draw& draw) {
 class Picture : public Output {
  public:
   bool is_wanted(const OutputOptions& asked) const override { return asked.pictures; }
+  Turn turn() const final { return Turn::picture; }
   void end(const RecordedRun& run, const RunResult& result) final {
     draw_or_warn(run.warnings, [&] { draw(run, result); });
   }

@@ -10,6 +10,7 @@ namespace jetlag {
 class SummaryJson final : public Output {
  public:
   std::string file() const override { return "summary.json"; }
+  Turn turn() const override { return Turn::summary; }
   void end(const RecordedRun& run, const RunResult& result) override {
     write_file(run.folder / file(), to_json(result.summary));
   }
