@@ -12,6 +12,7 @@
 #include "jetlag/base/text.hpp"
 #include "jetlag/model/energy.hpp"
 #include "jetlag/output/files.hpp"
+#include "jetlag/output/result_folder.hpp"
 #include "jetlag/scenes/error.hpp"
 #include "scenes/methods/methods.hpp"
 #include "studies/comparison/hard_cases.hpp"
@@ -263,7 +264,7 @@ int run_study(const Arguments& arguments) {
   }
   const std::string table = summary(cases, methods, results);
   fmt::print("\nerror of the positions, in extents of the motion\n\n{}", table);
-  std::filesystem::create_directories(arguments.folder);
+  const ResultFolder held(arguments.folder);
   write_file(arguments.folder / "hard_cases.csv", csv);
   write_file(arguments.folder / "hard_cases.md", table);
   fmt::print("\n{}\n{}\n", (arguments.folder / "hard_cases.csv").string(),

@@ -13,6 +13,7 @@
 #include "jetlag/base/text.hpp"
 #include "jetlag/model/energy.hpp"
 #include "jetlag/output/files.hpp"
+#include "jetlag/output/result_folder.hpp"
 #include "jetlag/pictures/pictures.hpp"
 #include "jetlag/scenes/error.hpp"
 #include "scenes/parts.hpp"
@@ -235,7 +236,7 @@ int run_study(const Arguments& arguments) {
     if (std::ranges::count(scenes, scenes.back().name, &Problem::name) > 1)
       throw SceneError("--scene: got two scenes with the name " + scenes.back().name + "; must differ");
   }
-  std::filesystem::create_directories(arguments.folder);
+  const ResultFolder held(arguments.folder);
   for (const Problem& problem : scenes) compare(problem, arguments, chosen);
   for (const auto& entry : test_problems()) {
     const bool named = std::ranges::count(arguments.problems, entry.name) > 0;

@@ -8,6 +8,7 @@
 
 #include "jetlag/base/text.hpp"
 #include "jetlag/output/files.hpp"
+#include "jetlag/output/result_folder.hpp"
 #include "jetlag/pictures/pictures.hpp"
 #include "jetlag/runs/run_scene.hpp"
 #include "jetlag/scenes/error.hpp"
@@ -204,7 +205,7 @@ int run_figures(const Arguments& arguments) {
     if (!std::isfinite(value))
       throw SceneError(fmt::format("{}: got {}; must be a finite number > 0", option, value));
   body_scene(4, 16, 0.0, arguments);  // refuses a mesh before anything is written
-  std::filesystem::create_directories(arguments.folder);
+  const ResultFolder held(arguments.folder);
   figure_1(arguments);
   const std::string body = arguments.mesh.empty() ? "generated body" : arguments.mesh;
   fmt::print("figure 2: energy of the {}, step {} s\n", body, arguments.step);
