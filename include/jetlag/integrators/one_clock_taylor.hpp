@@ -66,7 +66,8 @@ struct OneClockRunOptions {
 ///         h |f(t + h, y(t + h)) - y'(h)|  <=  max(2^16 eps, 16 N e^(-2(N-1))) max(|y|, h |f|),
 ///
 ///     the second of which is N times the last term that Jorba and Zou leave. Where it is not, the step is halved; where
-///     none is short enough, the report is step_underflow. A law leaves out more than that: with one, nothing is checked.
+///     none is short enough, the report is step_underflow. Neither a law, which leaves out more than that, nor steps of one
+///     length are checked.
 template <class Method, class Series, class State, class Options>
 class OneClockTaylor {
  public:
@@ -177,11 +178,12 @@ auto OneClockTaylor<Method, Series, State, Options>::step(State& state, const T&
   series_.stop(h, update_);
   self().sum(state, h, next_);
   if constexpr (knows_f) {
-    if (!options_.law && !agrees_with_f(state.time, h)) {
+    const bool singular = known_ < series_.top();
+    if (!options_.law && (singular || !options_.step) && !agrees_with_f(state.time, h)) {
       if (self().series_is_finite(report)) report = refusal(state.time, h, true);
       return T(0);
     }
-    if (known_ < series_.top() && !leads_on(h)) {
+    if (singular && !leads_on(h)) {
       self().series_is_finite(report);
       return T(0);
     }
