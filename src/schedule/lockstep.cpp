@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "jetlag/schedule/lockstep.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "jetlag/base/text.hpp"
@@ -51,17 +52,21 @@ Report Lockstep::run(State<double>& state, double until, const RunOptions& optio
   const Observer& observer = options.observer;
   Frames frames(observer, state.time);
   double lost = 0;  // what rounding has cut from state.time
+  const double start = state.time;
+  const bool endless = std::isinf(until);
   for (std::uint64_t step = 0; state.time < until; ++step) {
     if (step >= options.max_steps) return step_limit(options.max_steps, state.time);
     Report report;
-    const double begin = state.time, limit = (until - begin) - lost, lost_before = lost;
+    // On the way to an event at an unknown time a step is no longer than the way so far: that of free fall has no end.
+    const double begin = state.time, lost_before = lost,
+                 limit = endless ? std::max(1.0, begin - start) : (until - begin) - lost;
     const double h = integrator_->step(state, limit, report);
     if (report.outcome != Outcome::success) return report;
     if (std::isfinite(options.largest) && !in_range(state, options.largest, begin, report)) {
       state = beginning(integrator_->piece());
       return report;
     }
-    if (h == limit) {
+    if (h == limit && !endless) {
       state.time = until;
     } else {
       const double length = h + lost;

@@ -77,7 +77,7 @@ class Schedule {
  public:
   virtual ~Schedule() = default;
 
-  /// Moves the state to time `until` exactly. On any outcome but success the state is the last good one.
+  /// Moves the state to time `until` exactly; in lockstep that may be infinity, for a terminal event. On any outcome but success the state is the last good one.
   /// Throws std::invalid_argument for a time before that of the state.
   virtual Report run(State<double>& state, double until, const RunOptions& options) = 0;
 

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "jetlag/control/jorba_zou.hpp"
+#include "jetlag/forces/forces.hpp"
 #include "jetlag/schedule/events.hpp"
 #include "jetlag/series/elementary.hpp"
 #include "schedule/events/events_for_tests.hpp"
@@ -23,6 +25,24 @@ using ::testing::ThrowsMessage;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double pi = std::numbers::pi;
+
+TEST(Events, EndARunThatHasNoOtherEnd) {  // a fall from 1 m; half of a period
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  System<> falling(1, {1.0});
+  falling.add<UniformField>({{0}}, {{-9.8, 0.0, 0.0}});
+  const Problem scenes[] = {{falling, {0.0, Coordinates<>::Ones(1, 1), Coordinates<>::Zero(1, 1)}},
+                            oscillator()};
+  const double ends[] = {std::sqrt(2 / 9.8), 0.5 * pi};
+  for (int i = 0; i < 2; ++i) {
+    RunOptions options;
+    options.events = {level(0.0, Direction::falling)};
+    options.events[0].terminal = true;
+    State<double> state = scenes[i].start;
+    Lockstep schedule(taylor(scenes[i].system, 20, std::make_unique<JorbaZou>()));
+    EXPECT_EQ(schedule.run(state, infinity, options).outcome, Outcome::event);
+    EXPECT_NEAR(state.time, ends[i], 4 * eps);  // rounding of x, of speed 1 or more, in a step or two
+  }
+}
 
 TEST(Events, EndARunWhereTheyAreTerminal) {
   const Problem scene = oscillator();
