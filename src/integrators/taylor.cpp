@@ -63,6 +63,7 @@ double RandomTaylor::step(State<double>& state, double limit, Report& report) {
                   shown(state.time) +
                   ": the motion slides along a jump of the force or chatters about it; end the run before",
               -1};
+    changes_ = {};
     return 0.0;
   }
   if (!advances(state.time, h)) {
@@ -86,12 +87,17 @@ double RandomTaylor::step(State<double>& state, double limit, Report& report) {
 /// The step h, or up to the first change of a choice in a force, as far as the control reads the series: that does not depend on
 /// the degree that is drawn.
 double RandomTaylor::up_to_change(double h) {
-  if (!expansion().has_conditions() || !(h > 0) || !std::isfinite(h)) return h;
+  if (!expansion().has_conditions() || !(h > 0) || !std::isfinite(h)) {
+    changes_.take_none();
+    return h;
+  }
   series_.grow_to(stops().law().max_degree() + 1);
   const double unit = expansion().time_unit();
-  std::optional<double> change = series_.series().first_change(h / unit);
+  double reach = h / unit;
+  const double most = reach;
+  std::optional<double> change = series_.series().first_change(reach);
   if (change) *change *= unit;
-  return changes_.step(h, expansion().time(), change);
+  return changes_.step(reach < most ? reach * unit : h, expansion().time(), change);
 }
 
 /// The state at the end of the step h.
@@ -161,6 +167,7 @@ void RandomTaylor::exchange(Member& member) {
   std::swap(options_.seed, member.seed);
   series_.stops().reseed(options_.seed);
   std::swap(update_, member.update);
+  std::swap(changes_, member.changes);
   control_.exchange(member);
   series_.forget_unit();
 }

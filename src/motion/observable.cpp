@@ -157,7 +157,9 @@ double ObservableSeries::value(const Course& course, double t) {
 constexpr double same_value = 0x1p-30;
 
 bool ObservableSeries::is_right(const Course& course, const LocalSeries& series, double s) {
-  const double truth = value(course, series.begin + s);
+  const double t = series.begin + s;
+  s = t - series.begin;  // exact: of a time that exists
+  const double truth = value(course, t);
   return !std::isfinite(truth) ||
          std::abs(truth - accurate_value(series.c, s)) <= same_value * Terms(series.c, s).sum;
 }
@@ -193,12 +195,15 @@ void ObservableSeries::append(Course course, double end, int halvings, std::vect
     if (change < h)
       series.end = std::clamp(time_after(course.begin, change),
                               std::nextafter(course.begin, std::numeric_limits<double>::infinity()), end);
+    series.to_change = change < h;
     const double length = series.end - series.begin;
     const bool polynomial = blocks_.program().histories == 0 || length <= 0;
     const double inner = change < h ? length * (1 - 0x1p-20) : length;  // at a change g goes another way
     if (!polynomial &&
         !(Terms(series.c, length).converge() && conditions_converge(length) &&
-          ((change < h && series.begin + inner >= series.end) || is_right(course, series, inner)))) {
+          ((change < h && series.begin + inner >= series.end) || is_right(course, series, inner)) &&
+          is_right(course, series, 0.29 * length) && is_right(course, series, 0.5 * length) &&
+          is_right(course, series, 0.77 * length))) {
       const double middle = course.begin + 0.5 * length;
       if (halvings < most_halvings && course.begin < middle && middle < series.end) {
         append(course, middle, halvings + 1, all);
@@ -239,14 +244,41 @@ double LocalSeries::at(double t) const { return accurate_value(c, time_between(b
 
 bool LocalSeries::is_finite() const { return std::isfinite(rounding_of(c, 2 * (end - begin))); }
 
+namespace {
+/// Where g is zero at a change of a choice its last series crosses zero on the way beyond the change, or has not yet done so:
+/// neither is a crossing. Whether there is one, the signs before and after tell.
+void join_at_change(const LocalSeries& before, double value, LocalSeries& after,
+                    std::vector<Crossing>& found) {
+  int side = sign(value);
+  const double h = before.end - before.begin;
+  const auto is_beyond = [&](double t) {  // between there and the end g is next to zero
+    return std::abs(before.at(t + 0.5 * (before.end - t))) <= same_value * Terms(before.c, h).sum;
+  };
+  if (!found.empty() && found.back().time > before.begin && is_beyond(found.back().time)) {
+    side = found.back().rising ? -1 : 1;
+    found.pop_back();
+  }
+  std::vector<double>& c = after.c;
+  if (std::abs(c[0]) <= 0x1p-40 * Terms(c, after.end - after.begin).sum) c[0] = 0;
+  const auto first = std::ranges::find_if(c, [](double x) { return x != 0; });
+  const int goes = first == c.end() ? 0 : sign(*first);
+  if (side * goes < 0) found.push_back({after.begin, goes > 0});
+}
+}  // namespace
+
 std::vector<Crossing> crossings(std::span<LocalSeries> series) {
   std::vector<Crossing> found;
   std::optional<double> before;  // the value at the end of the series before
-  for (auto& [begin, end, c, join] : series) {
+  const LocalSeries* last = nullptr;
+  for (LocalSeries& local : series) {
+    auto& [begin, end, c, join, to_change] = local;
     if (join == LocalSeries::Join::zero)
       found.push_back({begin, c[0] > 0});
+    else if (join == LocalSeries::Join::value && last && last->to_change && sign(*before) != sign(c[0]))
+      join_at_change(*last, *before, local, found);
     else if (join == LocalSeries::Join::value && before && sign(*before) != sign(c[0]))
       c[0] = *before;
+    last = &local;
     const double h = time_between(begin, end);
     if (h > 0)
       for (const auto& [s, rising] : sign_changes(c, h)) found.push_back({time_after(begin, s), rising});

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "jetlag/base/text.hpp"
 #include "jetlag/model/finite.hpp"
@@ -54,12 +55,18 @@ Report Lockstep::run(State<double>& state, double until, const RunOptions& optio
   double lost = 0;  // what rounding has cut from state.time
   const double start = state.time;
   const bool endless = std::isinf(until);
+  if (endless && std::ranges::none_of(options.events, &Event::terminal))
+    throw std::invalid_argument("run: until may be infinite where a terminal event ends the run");
   for (std::uint64_t step = 0; state.time < until; ++step) {
     if (step >= options.max_steps) return step_limit(options.max_steps, state.time);
     Report report;
     // On the way to an event at an unknown time a step is no longer than the way so far: that of free fall has no end.
     const double begin = state.time, lost_before = lost,
-                 limit = endless ? std::max(1.0, begin - start) : (until - begin) - lost;
+                 limit = endless ? std::max({1.0, begin - start, 0x1p-32 * std::abs(begin)})
+                                 : (until - begin) - lost;
+    if (endless && !std::isfinite(begin + limit))
+      return {Outcome::non_finite,
+              "no terminal event has come up to t = " + shown(begin) + "; end the run before", -1};
     const double h = integrator_->step(state, limit, report);
     if (report.outcome != Outcome::success) return report;
     if (std::isfinite(options.largest) && !in_range(state, options.largest, begin, report)) {

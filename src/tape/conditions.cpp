@@ -30,27 +30,10 @@ int difference(Tape& tape, int u, int v, bool& flipped) {
   return append(tape, rule_id<Offset>, false, {append(tape, rule_id<Negate>, true, {v}), u});
 }
 
-/// For each node, whether the tape has a pole wherever it is zero: others only divide by it, or by products of it.
-std::vector<bool> denominators(const Tape& tape) {
-  std::vector<bool> other_use(tape.nodes.size(), false);
-  for (int output : tape.outputs) other_use[output] = true;
-  static const std::array products{rule_id<Multiply>, rule_id<Square>, rule_id<Scale>};
-  for (std::size_t i = tape.nodes.size(); i-- > 0;) {
-    const Node& node = tape.nodes[i];
-    for (std::size_t a = 0; a < node.operands.size(); ++a) {
-      const bool divides = a == 1 && (node.rule == rule_id<Divide> || node.rule == rule_id<Reciprocal>);
-      const bool multiplies =
-          std::ranges::find(products, node.rule) != products.end() && !other_use[i];  // then a denominator
-      if (!divides && !multiplies) other_use[node.operands[a]] = true;
-    }
-  }
-  other_use.flip();
-  return other_use;
-}
-
-bool is_negative_power(const Tape& tape, const Node& node) {
+/// A root that is zero in the numerator as well turns round with it, as v / |v|; u (u^2)^a has a pole for a < -1/2.
+bool is_pole(const Tape& tape, const Node& node) {
   return node.rule == rule_id<Power> && tape.nodes[node.operands[0]].kind == Node::Kind::constant &&
-         tape.nodes[node.operands[0]].value < 0;
+         tape.nodes[node.operands[0]].value < -0.5;
 }
 
 }  // namespace
@@ -65,7 +48,6 @@ Tape with_conditions(Tape tape) {
       tape.conditions.push_back({node, at_zero});
   };
   static const std::array roots{rule_id<Sqrt>, rule_id<RootOfScaled>, rule_id<Power>};
-  const auto is_denominator = denominators(tape);
   for (int i = 0; i < given; ++i) {
     const Node node = tape.nodes[i];
     if (node.kind != Node::Kind::operation || node.is_static) continue;
@@ -77,8 +59,7 @@ Tape with_conditions(Tape tape) {
       add(margin, flipped ? -side : side);
     } else if (node.rule == rule_id<Sign>) {
       add(node.operands[0], 0);
-    } else if (std::ranges::find(roots, node.rule) != roots.end() && !is_denominator[i] &&
-               !is_negative_power(tape, node)) {
+    } else if (std::ranges::find(roots, node.rule) != roots.end() && !is_pole(tape, node)) {
       add(i, 0);
     }
   }

@@ -54,7 +54,8 @@ TYPED_TEST(Limits, ClassesAreThoseOfTheWorstCoefficient) {
 
 TYPED_TEST(Limits, InEigenAreThoseOfTheCoefficients) {
   using Traits = Eigen::NumTraits<TypeParam>;
-  EXPECT_EQ(detail::size_of(Traits::dummy_precision()), Eigen::NumTraits<double>::dummy_precision());
+  EXPECT_EQ(jetlag::detail::size_in_series(Traits::dummy_precision()),
+            Eigen::NumTraits<double>::dummy_precision());
   EXPECT_TRUE(Eigen::internal::isApprox(TypeParam(1.0), TypeParam(1.0 + 1e-13)));
   EXPECT_FALSE(Eigen::internal::isApprox(TypeParam(1.0), TypeParam(1.0 + 1e-11)));
   EXPECT_EQ(Traits::highest(), TypeParam(std::numeric_limits<double>::max()));

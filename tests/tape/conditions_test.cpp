@@ -9,7 +9,7 @@
 #include "jetlag/tape/program.hpp"
 #include "jetlag/tape/recording.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::conditions_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -66,4 +66,4 @@ TEST_F(Conditions, OfWhatIsNotReadAreNone) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::conditions_test

@@ -99,13 +99,14 @@ class FirstOrderTaylor : public FirstOrderBase<T> {
 
   void start(const FirstOrderState<T>& state, bool backwards);
   bool has_conditions() const { return series().has_conditions(); }
-  std::optional<T> first_change(const T& h) { return this->series_.series().first_change(h); }
+  std::optional<T> first_change(T& h) { return this->series_.series().first_change(h); }
   int known_orders() const;
   double scale() const;
   struct Defect {
     double defect, size;
   };
   Defect defect(const FirstOrderState<T>& end, const T& h);
+  double rounding_of_time(const T& h);
   bool rests();
   int orders_read() const { return this->options_.degree; }
   double jorba_zou(double max_step) const;
@@ -115,7 +116,7 @@ class FirstOrderTaylor : public FirstOrderBase<T> {
   bool is_finite(const FirstOrderState<T>& end, Report& report) const;
   void count();
 
-  std::vector<T> rates_;  // of the check
+  std::vector<T> rates_, at_end_;  // of the check
 };
 
 // ---- definitions -----------------------------------------------------------------------------------------
@@ -166,10 +167,24 @@ bool FirstOrderTaylor<T>::rests() {
   return true;
 }
 
+/// h max |f(t (1 + eps)) - f(t)| at the end of a step, after `defect`: how much of a fast f the rounding of a late time hides.
+template <class T>
+double FirstOrderTaylor<T>::rounding_of_time(const T& h) {
+  using std::abs;
+  const T time = T(series().time() + h);
+  const std::vector<T> here = rates_, y = at_end_;
+  this->series_.series().rates(T(time + time * std::numeric_limits<T>::epsilon()), y, rates_);
+  T most(0);
+  for (std::size_t i = 0; i < here.size(); ++i)
+    if (const T change = abs(T(rates_[i] - here[i])); most < change) most = change;
+  return static_cast<double>(T(abs(h) * most));
+}
+
 /// h max |f(end) - y'(h)|, and max(|y(0)|, |y(h)|, h |f(end)|), all largest components; 0 where f(end) is not finite.
 template <class T>
 typename FirstOrderTaylor<T>::Defect FirstOrderTaylor<T>::defect(const FirstOrderState<T>& end, const T& h) {
   using std::abs;
+  at_end_ = end.y;
   this->series_.series().rates(T(series().time() + h), end.y, rates_);
   const T s = h / series().time_unit();
   const T* w = this->series_.weights();

@@ -65,7 +65,7 @@ struct OneClockRunOptions {
 ///
 ///         h |f(t + h, y(t + h)) - y'(h)|  <=  max(2^16 eps, 16 N e^(-2(N-1))) max(|y|, h |f|),
 ///
-///     the second of which is N times the last term that Jorba and Zou leave. Where it is not, the step is halved; where
+///     and what 8 roundings of a late time make of f; the second is N times the last term that Jorba and Zou leave. Where it is not, the step is halved; where
 ///     none is short enough, the report is step_underflow. Neither a law, which leaves out more than that, nor steps of one
 ///     length are checked.
 template <class Method, class Series, class State, class Options>
@@ -117,6 +117,7 @@ class OneClockTaylor {
   Options options_;
   StoppedSeries<Series> series_;
   Work work_;
+  State begin_;  // of the last step
 
  private:
   const Method& self() const { return static_cast<const Method&>(*this); }
@@ -140,7 +141,7 @@ class OneClockTaylor {
   Report refusal(const T& time, const T& h, bool contradicted) const;
   Report underflow(const T& time, const T& h) const;
 
-  State begin_, next_;  // of the last step; room for the end of one
+  State next_;  // room for the end of a step
   std::uint64_t update_ = 0;
   int known_ = std::numeric_limits<int>::max();  // the orders of the series that exist
   StepsToChanges<T> changes_;
@@ -195,6 +196,7 @@ auto OneClockTaylor<Method, Series, State, Options>::step(State& state, const T&
   }
   if (changes_.is_stuck()) {
     report = refusal(state.time, h, false);
+    changes_ = {};
     return T(0);
   }
   next_.time = state.time;
@@ -233,12 +235,16 @@ auto OneClockTaylor<Method, Series, State, Options>::length(const T& limit) -> T
 template <class Method, class Series, class State, class Options>
 auto OneClockTaylor<Method, Series, State, Options>::up_to_change(const T& h) -> T {
   using std::abs;
-  changes_.take_none();
-  if (h == T(0) || !finite(h) || !self().has_conditions()) return h;
-  const T unit = abs(series().time_unit()), length = abs(h);
-  std::optional<T> change = self().first_change(T(length / unit));
+  if (h == T(0) || !finite(h) || !self().has_conditions()) {
+    changes_.take_none();
+    return h;
+  }
+  const T unit = abs(series().time_unit());
+  T reach = T(abs(h) / unit);
+  const T most = reach;
+  std::optional<T> change = self().first_change(reach);
   if (change) change = T(*change * unit);
-  const T step = changes_.step(length, series().time(), change);
+  const T step = changes_.step(reach < most ? T(reach * unit) : abs(h), series().time(), change);
   return h < T(0) ? T(-step) : step;
 }
 
@@ -256,7 +262,8 @@ bool OneClockTaylor<Method, Series, State, Options>::agrees_with_f(const T& time
   const auto agrees = [&](const T& length) {
     const auto [defect, size] = self().defect(next_, length);
     if (singular && unseen == 0 && std::isfinite(size)) unseen = 0x1p-80 * size;
-    return !(defect > std::max(allowed * size, unseen));
+    const double bound = std::max(allowed * size, unseen);
+    return !(defect > bound && defect > bound + 8 * self().rounding_of_time(length));
   };
   if (changes_.is_to_change()) {  // at its end f has gone another way: a little before
     const T before = h * T(1 - 0x1p-20);

@@ -67,7 +67,7 @@ class ParticleTaylor : public ParticleTaylorBase<T> {
     this->series_.start(state);
   }
   bool has_conditions() const { return series().has_conditions(); }
-  std::optional<T> first_change(const T& h) { return this->series_.series().first_change(h); }
+  std::optional<T> first_change(T& h) { return this->series_.series().first_change(h); }
   int orders_read() const { return this->options_.degree + 1; }
   double jorba_zou(double max_step) const {
     return jorba_zou_step_of(series(), this->options_.degree, max_step);

@@ -10,7 +10,7 @@
 namespace jetlag {
 
 /// Ends a step just beyond the change, far enough that the next one sees it: that may take some places of the time and of the
-/// state, more where that was not enough before.
+/// state, more where that was not enough before. A step of next to no length is one that is no longer than 2^12 times that.
 template <class T>
 class StepsToChanges {
  public:
@@ -18,20 +18,27 @@ class StepsToChanges {
   T step(const T& length, const T& time, const std::optional<T>& change) {
     using std::abs;
     is_to_change_ = change.has_value();
-    T shorter = length;
-    if (change) {
-      const T size = abs(time);
-      const T least = std::numeric_limits<T>::epsilon() * (size < length ? length : size) *
-                      T(std::ldexp(1.0, std::min(instants_, 20)));
-      if (*change < length) shorter = *change;
-      if (shorter < least) shorter = least;
-      if (length < shorter) shorter = length;
+    if (!change) {
+      instants_ = 0;
+      return length;
     }
-    instants_ = shorter < length * T(0x1p-20) ? instants_ + 1 : 0;
-    return shorter;
+    const T place = std::numeric_limits<T>::epsilon() * abs(time);
+    // Where the time is 0, or next to it, its places say nothing of the state's: the least step grows until it is seen.
+    T least = place * T(std::ldexp(1.0, std::min(instants_, 20)));
+    const T part = length * T(std::ldexp(1.0, -200 + 4 * std::min(instants_, 37)));
+    if (least < part) least = part;
+    T step = *change < length ? *change : length;
+    const bool is_instant = !(least * T(0x1p12) < step);  // the way back may be slower
+    if (step < least) step = least;
+    if (length < step) step = length;
+    instants_ = is_instant ? instants_ + 1 : 0;
+    return step;
   }
   /// One that leads to no change.
-  void take_none() { is_to_change_ = false; }
+  void take_none() {
+    is_to_change_ = false;
+    instants_ = 0;
+  }
 
   /// Whether the step leads to a change.
   bool is_to_change() const { return is_to_change_; }

@@ -66,6 +66,7 @@ class RandomTaylor final : public Integrator {
   /// What a trajectory has of its own besides its state.
   struct Member : ToKinks::Trajectory {
     std::uint64_t seed = 1, update = 0;  // of the draws
+    StepsToChanges<double> changes{};
   };
   /// Goes on as another trajectory of the same system; `member` is then the one so far. The work is that of all.
   void exchange(Member& member);

@@ -87,9 +87,10 @@ class ElementBlocks {
   /// Whether the law makes choices that may change.
   bool has_conditions() const { return !blocks_.program().conditions.empty(); }
 
-  /// The first s in (0, h], in units of time, at which a choice of one of the elements would be made otherwise than at the
-  /// beginning, as far as orders below `orders` tell; h if there is none.
-  T first_change(int orders, T h);
+  /// The first s in (0, most], in units of time, at which a choice of one of the elements would be made otherwise than at the
+  /// beginning, becomes `most` and `first`. most becomes shorter, and `first` nothing, where the series of a condition, known
+  /// up to `orders`, does not reach so far.
+  void find_change(int orders, T& most, std::optional<T>& first);
 
   /// The sum of output 0 at order 0 over all elements.
   T sum(const MotionRows<T>& motion);
@@ -289,9 +290,10 @@ inline void ElementBlocks<T>::collect(int particle, int k, int orders, T* force,
   }
 }
 
-/// Most conditions are far from a change: |c_0| > sum_{k>0} |c_k| h^k.
+/// Most conditions are far from a change: |c_0| > sum_{k>0} |c_k| h^k, and what follows on the last two terms is less than a
+/// thousand of them.
 template <class T>
-T ElementBlocks<T>::first_change(int orders, T h) {
+void ElementBlocks<T>::find_change(int orders, T& most, std::optional<T>& first) {
   using std::abs;
   std::vector<T> rest(blocks_.lanes()), c(orders);
   for (std::size_t b = 0; b < blocks_.blocks(); ++b)
@@ -299,16 +301,24 @@ T ElementBlocks<T>::first_change(int orders, T h) {
       std::ranges::fill(rest, T(0));
       for (int k = orders - 1; k > 0; --k) {
         const T* of_order = blocks_.at(b, place, k);
+        const T weight = T(k >= orders - 2 ? 1000 : 1);
         for (std::size_t lane = 0; lane < rest.size(); ++lane)
-          rest[lane] = (rest[lane] + abs(of_order[lane])) * h;
+          rest[lane] = (rest[lane] + weight * abs(of_order[lane])) * most;
       }
       for (int lane = 0; lane < blocks_.active(b); ++lane) {
         if (rest[lane] < abs(blocks_.at(b, place, 0)[lane])) continue;
         for (int k = 0; k < orders; ++k) c[k] = blocks_.at(b, place, k)[lane];
-        if (const auto s = jetlag::first_change<T>(std::span<const T>(c), at_zero, h)) h = *s;
+        const T reach = reach_of_condition<T>(c, most);
+        if (reach < most) {
+          most = reach;
+          first.reset();
+        }
+        if (const auto s = jetlag::first_change<T>(std::span<const T>(c), at_zero, most)) {
+          most = *s;
+          first = s;
+        }
       }
     }
-  return h;
 }
 
 template <class T>

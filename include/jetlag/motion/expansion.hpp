@@ -91,9 +91,9 @@ class Expansion {
 
   /// Whether a force makes choices that may change; see forces/force.hpp.
   bool has_conditions() const;
-  /// The first s in (0, h], in units of time, at which a choice that was made at the start would be made otherwise, as far as
-  /// the forces are known; nothing if there is none.
-  std::optional<T> first_change(const T& h);
+  /// The first s in (0, h], in units of time, at which a choice that was made at the start would be made otherwise; nothing if
+  /// there is none. h becomes shorter where the series of a condition does not reach so far.
+  std::optional<T> first_change(T& h);
 
   /// (element, order) pairs computed since construction: the honest unit of cost.
   std::size_t element_coefficients() const { return element_coefficients_; }

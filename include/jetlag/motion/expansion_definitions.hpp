@@ -133,11 +133,13 @@ bool Expansion<T>::has_conditions() const {
 }
 
 template <class T>
-std::optional<T> Expansion<T>::first_change(const T& h) {
-  T first = h;
+std::optional<T> Expansion<T>::first_change(T& h) {
+  std::optional<T> first;
+  T most = h;
   for (auto& law : laws_)
-    if (law.count() > 0 && law.has_conditions()) first = law.first_change(order_ - 1, first);
-  return first < h ? std::optional<T>(first) : std::nullopt;
+    if (law.count() > 0 && law.has_conditions()) law.find_change(order_ - 1, most, first);
+  if (!first) h = most;
+  return first;
 }
 
 template <class T>

@@ -157,16 +157,25 @@ class FirstOrderExpansion {
   /// Whether f makes choices that may change.
   bool has_conditions() const { return !blocks_.program().conditions.empty(); }
 
-  /// The first s in (0, h], in units of time, at which a choice that was made at the start would be made otherwise, as far as
-  /// orders below order() tell; see jetlag::first_change.
-  std::optional<T> first_change(T h) {
+  /// The first s in (0, h], in units of time, at which a choice that was made at the start would be made otherwise; see
+  /// jetlag::first_change. h becomes shorter where the series of a condition does not reach so far.
+  std::optional<T> first_change(T& h) {
     std::optional<T> first;
+    T most = h;
     std::vector<T> c(order());
     for (const auto& [place, at_zero] : blocks_.program().conditions) {
       for (int k = 0; k < order(); ++k) c[k] = *blocks_.at(0, place, k);
-      const auto s = jetlag::first_change<T>(std::span<const T>(c), at_zero, h);
-      if (s) first = h = *s;
+      const T reach = reach_of_condition<T>(c, most);
+      if (reach < most) {
+        most = reach;
+        first.reset();
+      }
+      if (const auto s = jetlag::first_change<T>(std::span<const T>(c), at_zero, most)) {
+        most = *s;
+        first = s;
+      }
     }
+    if (!first) h = most;
     return first;
   }
 

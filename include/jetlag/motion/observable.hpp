@@ -11,7 +11,8 @@
 // The series. Along a piece of degree N a function that is linear in time, positions and velocities is a polynomial of
 // degree N, exactly. Any other is expanded to degree max(2N, 40), and anew from the middle of an interval where its
 // last two terms are not below rounding at the end, or where its value there is not g: what is found is g of the method's
-// own motion, not g truncated at N.
+// own motion, not g truncated at N. Its values are looked at in three places of each series and at the end: what is narrower
+// than that, and below rounding from where it is seen, is missed.
 //
 // Kinks and jumps. A series ends where a choice in g changes (abs, min, max, select, the root of what reaches zero), to one
 // ulp of time, and another one begins. Where neither converges, in 2^-30 of a step, g is followed by its values: a change of
@@ -63,6 +64,7 @@ struct LocalSeries {
 
   /// How it follows the one before: in one value, in another value, or in other sign through zero, without a series there.
   enum class Join { value, jump, zero } join = Join::value;
+  bool to_change = false;  // whether it ends where a choice in g changes, a few roundings later
 
   double at(double t) const;
   /// Whether it exists: not where g is singular (1/x at 0), nor beyond (sqrt(x) at x < 0).

@@ -37,7 +37,7 @@ namespace jetlag::detail {
 template <class M>
 auto length_of(const M& x) {
   using std::hypot;
-  auto length = size_of(typename M::Scalar(0.0));
+  auto length = size_in_series(typename M::Scalar(0.0));
   const auto add = [&]<class U>(const auto& self, const U& u) -> void {
     if constexpr (is_jet<U>)
       for (int k = 0; k <= u.degree(); ++k) self(self, u[k]);
@@ -173,12 +173,13 @@ template <class J>
 struct scalar_fuzzy_impl<J> {
   template <class Other>
   static bool isMuchSmallerThan(const J& x, const Other& y, const J& precision) {
-    using jetlag::detail::size_of;
-    return size_of(x) <= size_of(y) * size_of(precision);
+    using jetlag::detail::size_in_series;
+    return size_in_series(x) <= size_in_series(y) * size_in_series(precision);
   }
   static bool isApprox(const J& x, const J& y, const J& precision) {
-    using jetlag::detail::size_of;
-    return size_of(J(x - y)) <= std::min(size_of(x), size_of(y)) * size_of(precision);
+    using jetlag::detail::size_in_series;
+    return size_in_series(J(x - y)) <=
+           std::min(size_in_series(x), size_in_series(y)) * size_in_series(precision);
   }
   static bool isApproxOrLessThan(const J& x, const J& y, const J& precision) {
     return x <= y || isApprox(x, y, precision);
@@ -188,24 +189,24 @@ struct scalar_fuzzy_impl<J> {
 template <jetlag::detail::MatrixOfJets X, class Y>
 struct isApprox_selector<X, Y, false> {
   static bool run(const X& x, const Y& y, const typename X::Scalar& precision) {
-    using jetlag::detail::size_of, jetlag::detail::length_of;
+    using jetlag::detail::size_in_series, jetlag::detail::length_of;
     const typename X::PlainObject a = x, b = y;
     const typename X::PlainObject difference = a - b;
-    return length_of(difference) <= size_of(precision) * std::min(length_of(a), length_of(b));
+    return length_of(difference) <= size_in_series(precision) * std::min(length_of(a), length_of(b));
   }
 };
 template <jetlag::detail::MatrixOfJets X, class Y>
 struct isMuchSmallerThan_object_selector<X, Y, false> {
   static bool run(const X& x, const Y& y, const typename X::Scalar& precision) {
-    using jetlag::detail::size_of, jetlag::detail::length_of;
-    return length_of(x.eval()) <= size_of(precision) * length_of(y.eval());
+    using jetlag::detail::size_in_series, jetlag::detail::length_of;
+    return length_of(x.eval()) <= size_in_series(precision) * length_of(y.eval());
   }
 };
 template <jetlag::detail::MatrixOfJets X>
 struct isMuchSmallerThan_scalar_selector<X, false> {
   static bool run(const X& x, const typename X::Scalar& y, const typename X::Scalar& precision) {
-    using jetlag::detail::size_of, jetlag::detail::length_of;
-    return length_of(x.eval()) <= size_of(precision) * size_of(y);
+    using jetlag::detail::size_in_series, jetlag::detail::length_of;
+    return length_of(x.eval()) <= size_in_series(precision) * size_in_series(y);
   }
 };
 

@@ -63,11 +63,11 @@ M matrix_of(const std::vector<Numbers<T>>& orders) {
 
 /// The largest coefficient of u, without its sign.
 template <class U>
-auto size_of(const U& u) {
+auto size_in_series(const U& u) {
   if constexpr (is_jet<U>) {
-    auto most = size_of(u[0]);
+    auto most = size_in_series(u[0]);
     for (int k = 1; k <= u.degree(); ++k) {
-      const auto size = size_of(u[k]);
+      const auto size = size_in_series(u[k]);
       if (!(size <= most)) most = size;  // NaN stays
     }
     return most;

@@ -66,8 +66,8 @@ class JacobiSVD<M, QRPreconditioner> {
   Index rank() const {
     Index count = 0;
     while (count < values_.size() &&
-           jetlag::detail::size_of(values_[count]) >
-               jetlag::detail::size_of(threshold_) * jetlag::detail::size_of(values_[0]))
+           jetlag::detail::size_in_series(values_[count]) >
+               jetlag::detail::size_in_series(threshold_) * jetlag::detail::size_in_series(values_[0]))
       ++count;
     return count;
   }

@@ -61,8 +61,8 @@ struct Tape {
 Tape pruned(const Tape& tape);
 
 /// The tape with all conditions that its outputs depend on: u - v of a comparison u < v; u of a sign, and so of |u| and
-/// max(u, v); and the root of a square root, a length or a power > 0, which changes sign where the series goes on and the
-/// function turns back, as in sqrt(t^2), unless it is only divided by. They are computed to all orders.
+/// max(u, v); and the root of a square root, a length or a power, which changes sign where the series goes on and the
+/// function turns back, as in sqrt(t^2); not that of a power below -1/2, which has a pole there. They are computed to all orders.
 Tape with_conditions(Tape tape);
 
 }  // namespace jetlag

@@ -44,6 +44,12 @@ TEST(Events, EndARunThatHasNoOtherEnd) {  // a fall from 1 m; half of a period
   }
 }
 
+TEST(Events, ARunWithoutAnyEndIsRefused) {
+  State<double> state = oscillator().start;
+  EXPECT_THROW(in_steps(oscillator(), 0.3).run(state, std::numeric_limits<double>::infinity(), RunOptions{}),
+               std::invalid_argument);
+}
+
 TEST(Events, EndARunWhereTheyAreTerminal) {
   const Problem scene = oscillator();
   std::vector<EventHit> hits;

@@ -64,6 +64,33 @@ TEST(SingularEvents, KinksLoseNoZero) {
   }
 }
 
+TEST(SingularEvents, ATouchAtAKinkIsNoZero) {
+  for (const double step : {0.37, 0.71, 5.0}) {
+    const auto touches = [&](const auto& g) { expect_zeros(hits_until(3, g, step), {}, "touch"); };
+    touches([](const auto&, const auto& x) { return abs(x); });
+    touches([](const auto&, const auto& x) { return -abs(x); });
+    touches([](const auto& t, const auto&) { return -abs(t - 0.3); });
+    touches([](const auto& t, const auto&) { return sqrt((t - 0.3) * (t - 0.3)); });
+    touches([](const auto& t, const auto&) { return min(0.3 - t, t - 0.3); });
+    touches([](const auto& t, const auto&) { return select(t < 0.3, t - 0.3, 0.3 * (0.3 - t)); });
+    expect_zeros(hits_until(
+                     3, [](const auto&, const auto& x) { return select(x < 0.0, x, 2.0 * x); }, step),
+                 {{1, true}}, "a kink at zero");
+    expect_zeros(hits_until(
+                     3, [](const auto&, const auto& x) { return x + 0.5 * abs(x); }, step),
+                 {{1, true}}, "a kink at zero");
+  }
+}
+
+TEST(SingularEvents, ANarrowBumpIsSeenFromAfar) {
+  const double half = std::sqrt(std::log(2.0) / 100);
+  for (const double step : {0.3, 4.5})
+    expect_zeros(
+        hits_until(
+            9, [](const auto& t, const auto&) { return exp(-100.0 * (t - 5.0) * (t - 5.0)) - 0.5; }, step),
+        {{5 - half, true}, {5 + half, false}}, "bump");
+}
+
 TEST(SingularEvents, PolesAndJumpsThroughZeroAreNoZeros) {
   for (const double step : {0.3, 0.71, 10.0}) {
     expect_zeros(hits_until(

@@ -9,7 +9,7 @@
 
 #include "support/digits50.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::first_change_test {
 namespace {
 
 std::optional<double> change(const std::vector<double>& c, double h, int at_zero = 0) {
@@ -60,4 +60,4 @@ TEST(FirstChange, HasThePrecisionOfItsNumbers) {  // s^2 = 2
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::first_change_test

@@ -7,6 +7,11 @@
 
 namespace jetlag {
 
+/// h, or a shorter length on which the last two terms of c are below rounding, or what degree N leaves out of a series whose
+/// terms fall by e^2: farther off the polynomial is not the condition. Where c_0 is not finite it decides nothing: h.
+template <class T>
+T reach_of_condition(std::span<const T> c, T h);
+
 /// The first s in (0, h] at which c(s) = sum_k c_k s^k has left the side of zero that it was taken to be on, by more than
 /// its rounding: beyond it whoever computes c anew finds it on the other side. Nothing where it stays, or touches zero.
 /// at_zero: the side that was taken where c_0 = 0; 0: the one to which c goes.

@@ -54,6 +54,36 @@ std::optional<T> clearly_beyond(std::span<const T> c, int side, const T& low, co
 }  // namespace detail
 
 template <class T>
+T reach_of_condition(std::span<const T> c, T h) {
+  using std::abs, std::isfinite;
+  const int n = static_cast<int>(c.size()) - 1;
+  const double left_out =
+      std::max(static_cast<double>(std::numeric_limits<T>::epsilon()), std::exp(-2.0 * (n - 1)));
+  if (n < 2 || !isfinite(c[0])) return h;
+  for (int attempt = 0; attempt < 60; ++attempt) {
+    T power(1), sum(0), last(0);
+    for (int k = 0; k <= n; ++k) {
+      const T term = abs(c[k]) * power;
+      if (!isfinite(term)) {
+        last = sum = term;
+        break;
+      }
+      sum += term;
+      if (k >= n - 1) last += term;
+      power *= h;
+    }
+    if (!isfinite(sum)) {
+      h = h / T(16);
+      continue;
+    }
+    const double ratio = static_cast<double>(T(last / sum)) / left_out;
+    if (!(ratio > 1)) return h;
+    h = h * T(std::max(0.0625, 0.95 * std::pow(ratio, -1.0 / (n - 1))));
+  }
+  return h;
+}
+
+template <class T>
 std::optional<T> first_change(std::span<const T> c, int at_zero, const T& h) {
   using std::abs, std::isfinite;
   T power(1);
@@ -66,7 +96,7 @@ std::optional<T> first_change(std::span<const T> c, int at_zero, const T& h) {
   while (!c.empty() && c.back() == T(0)) c = c.first(c.size() - 1);
   if (c.empty()) return std::nullopt;
 
-  const T least = h * std::numeric_limits<T>::epsilon();
+  const T least = h * T(0x1p-200);
   int side = detail::sign_as_number(c[0]);
   if (side == 0) {
     const int goes = detail::sign_as_number(

@@ -16,7 +16,7 @@
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/schedule/lockstep.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::changing_forces_test {
 namespace {
 
 /// F = -c |v| v.
@@ -64,6 +64,31 @@ struct Friction {
   static Vector<T, D> force(const Participants<T, D, 1>& p) {
     Vector<T, D> f;
     for (int c = 0; c < D; ++c) f[c] = select(p.velocity[0][c] > 0.0, T(-1.0), T(1.0));
+    return f;
+  }
+};
+
+/// F = -v / |v|.
+struct DryFriction {
+  static constexpr const char* name = "dry_friction";
+  static constexpr int participants = 1;
+  static constexpr std::array<const char*, 0> parameters{};
+  template <class T, int D>
+  static Vector<T, D> force(const Participants<T, D, 1>& p) {
+    return T(T(-1.0) / p.velocity[0].norm()) * p.velocity[0];
+  }
+};
+
+/// F = 1 N along x where 1 / (1 + 25 (t - 5)^2) > 1/2: for |t - 5| < 1/5.
+struct Bump {
+  static constexpr const char* name = "bump";
+  static constexpr int participants = 1;
+  static constexpr std::array<const char*, 0> parameters{};
+  template <class T, int D>
+  static Vector<T, D> force(const Participants<T, D, 1>& p) {
+    Vector<T, D> f = Vector<T, D>::Constant(T(0.0));
+    const T s = p.time - 5.0;
+    f[0] = select(T(1.0) / (1.0 + 25.0 * s * s) > 0.5, T(1.0), T(0.0));
     return f;
   }
 };
@@ -138,6 +163,29 @@ TEST(ChangingForce, OfTimeIsMetOnTime) {
   }
 }
 
+TEST(ChangingForce, IsMetWhereItsConditionHasNoSeriesFromFarOff) {
+  System<> system(2, {1.0});
+  system.add<Bump>({{0}}, {std::array<double, 0>{}});
+  for (const Way& way : ways()) {
+    State<> state = at({0, 0}, {0, 0});
+    EXPECT_EQ(way.run(system, state, 17).outcome, Outcome::success) << way.name;
+    EXPECT_NEAR(state.velocity(0, 0), 0.4, rounding) << way.name;
+    EXPECT_NEAR(state.position(0, 0), 0.4 * 12, 10 * rounding) << way.name;
+  }
+}
+
+TEST(ChangingForce, OfUnitLengthIsNotFollowedThroughItsJump) {
+  System<> system(2, {1.0});
+  system.add<DryFriction>({{0}}, {std::array<double, 0>{}});
+  for (const Way& way : ways()) {
+    State<> state = at({0, 0}, {1, 0});
+    const Report report = way.run(system, state, 3);
+    EXPECT_NE(report.outcome, Outcome::success)
+        << way.name << ": " << state.position << ", " << state.velocity;
+    EXPECT_NEAR(state.time, 1, 0.04) << way.name;
+  }
+}
+
 TEST(ChangingForce, ParticlesFindTheirWayBack) {
   System<> system(1, {1.0});
   system.add<Rope>({{0}}, {{100.0}});
@@ -173,4 +221,4 @@ TEST(ChangingForce, WithoutChoicesNothingIsWatched) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::changing_forces_test
