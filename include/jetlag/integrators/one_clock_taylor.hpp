@@ -65,9 +65,9 @@ struct OneClockRunOptions {
 ///
 ///         h |f(t + h, y(t + h)) - y'(h)|  <=  max(2^16 eps, 16 N e^(-2(N-1))) max(|y|, h |f|),
 ///
-///     and what 8 roundings of a late time make of f; the second is N times the last term that Jorba and Zou leave. Where it is not, the step is halved; where
-///     none is short enough, the report is step_underflow. Neither a law, which leaves out more than that, nor steps of one
-///     length are checked.
+///     and what 8 roundings of a late time make of f; the second is N times the last term that Jorba and Zou leave. Where it is
+///     not, the step is halved; where none is short enough, the report is step_underflow. Neither a law, which leaves out more
+///     than that, nor steps of one length are checked.
 template <class Method, class Series, class State, class Options>
 class OneClockTaylor {
  public:

@@ -308,15 +308,7 @@ void ElementBlocks<T>::find_change(int orders, T& most, std::optional<T>& first)
       for (int lane = 0; lane < blocks_.active(b); ++lane) {
         if (rest[lane] < abs(blocks_.at(b, place, 0)[lane])) continue;
         for (int k = 0; k < orders; ++k) c[k] = blocks_.at(b, place, k)[lane];
-        const T reach = reach_of_condition<T>(c, most);
-        if (reach < most) {
-          most = reach;
-          first.reset();
-        }
-        if (const auto s = jetlag::first_change<T>(std::span<const T>(c), at_zero, most)) {
-          most = *s;
-          first = s;
-        }
+        find_first_change<T>(c, at_zero, most, first);
       }
     }
 }

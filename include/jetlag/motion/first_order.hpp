@@ -165,15 +165,7 @@ class FirstOrderExpansion {
     std::vector<T> c(order());
     for (const auto& [place, at_zero] : blocks_.program().conditions) {
       for (int k = 0; k < order(); ++k) c[k] = *blocks_.at(0, place, k);
-      const T reach = reach_of_condition<T>(c, most);
-      if (reach < most) {
-        most = reach;
-        first.reset();
-      }
-      if (const auto s = jetlag::first_change<T>(std::span<const T>(c), at_zero, most)) {
-        most = *s;
-        first = s;
-      }
+      find_first_change<T>(c, at_zero, most, first);
     }
     if (!first) h = most;
     return first;

@@ -19,6 +19,11 @@ T reach_of_condition(std::span<const T> c, T h);
 template <class T>
 std::optional<T> first_change(std::span<const T> c, int at_zero, const T& h);
 
+/// The first change among several conditions, one after another: where that of c comes before `most`, it becomes `most` and
+/// `first`; where c does not reach so far, `most` becomes shorter and `first` nothing.
+template <class T>
+void find_first_change(std::span<const T> c, int at_zero, T& most, std::optional<T>& first);
+
 extern template std::optional<double> first_change(std::span<const double>, int, const double&);
 
 }  // namespace jetlag

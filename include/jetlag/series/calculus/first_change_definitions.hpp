@@ -119,4 +119,16 @@ std::optional<T> first_change(std::span<const T> c, int at_zero, const T& h) {
   return std::nullopt;
 }
 
+template <class T>
+void find_first_change(std::span<const T> c, int at_zero, T& most, std::optional<T>& first) {
+  if (const T reach = reach_of_condition<T>(c, most); reach < most) {
+    most = reach;
+    first.reset();
+  }
+  if (const auto s = first_change<T>(c, at_zero, most)) {
+    most = *s;
+    first = s;
+  }
+}
+
 }  // namespace jetlag
