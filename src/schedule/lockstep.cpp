@@ -54,17 +54,18 @@ Report Lockstep::run(State<double>& state, double until, const RunOptions& optio
   Frames frames(observer, state.time);
   double lost = 0;  // what rounding has cut from state.time
   const double start = state.time;
-  const bool endless = std::isinf(until);
-  if (endless && std::ranges::none_of(options.events, &Event::terminal))
-    throw std::invalid_argument("run: until may be infinite where a terminal event ends the run");
+  const bool seeking = std::isinf(until) && std::ranges::any_of(options.events, &Event::terminal);
+  if (std::isinf(until) && !seeking && options.max_steps == RunOptions{}.max_steps && !observer.after_step)
+    throw std::invalid_argument(
+        "run: until may be infinite where a terminal event, max_steps or after_step ends the run");
   for (std::uint64_t step = 0; state.time < until; ++step) {
     if (step >= options.max_steps) return step_limit(options.max_steps, state.time);
     Report report;
     // On the way to an event at an unknown time a step is no longer than the way so far: that of free fall has no end.
     const double begin = state.time, lost_before = lost,
-                 limit = endless ? std::max({1.0, begin - start, 0x1p-32 * std::abs(begin)})
+                 limit = seeking ? std::max({1.0, begin - start, 0x1p-32 * std::abs(begin)})
                                  : (until - begin) - lost;
-    if (endless && !std::isfinite(begin + limit))
+    if (seeking && !std::isfinite(begin + limit))
       return {Outcome::non_finite,
               "no terminal event has come up to t = " + shown(begin) + "; end the run before", -1};
     const double h = integrator_->step(state, limit, report);
@@ -73,7 +74,7 @@ Report Lockstep::run(State<double>& state, double until, const RunOptions& optio
       state = beginning(integrator_->piece());
       return report;
     }
-    if (h == limit && !endless) {
+    if (h == limit && !std::isinf(until)) {
       state.time = until;
     } else {
       const double length = h + lost;

@@ -77,8 +77,9 @@ class Schedule {
  public:
   virtual ~Schedule() = default;
 
-  /// Moves the state to time `until` exactly; in lockstep that may be infinity, for a terminal event. On any outcome but success the state is the last good one.
-  /// Throws std::invalid_argument for a time before that of the state.
+  /// Moves the state to time `until` exactly; in lockstep that may be infinity, where a terminal event, max_steps or
+  /// after_step ends the run. On any outcome but success the state is the last good one.
+  /// Throws std::invalid_argument for a time before that of the state, and for infinity where nothing ends the run.
   virtual Report run(State<double>& state, double until, const RunOptions& options) = 0;
 
   virtual const Work& work() const = 0;
