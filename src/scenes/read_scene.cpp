@@ -104,8 +104,8 @@ Scene read(Document& document, const std::filesystem::path& folder) {
   auto lines = read_forces(value.at("forces", JsonText{"[]"}), particles, *system);
   Method method = read_method(value, system, scene.seed);
 
-  require_energy(*system, particles.state, value.at("particles"));
   require_memory(*system, static_cast<int>(method.largest_degree), value.at("particles"));
+  require_energy(*system, particles.state, value.at("particles"));
   scene.shape = shape_of(particles, std::move(lines));
   scene.shape.up = up_of(*system);
   scene.initial = std::move(particles.state);
