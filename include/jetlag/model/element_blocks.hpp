@@ -73,6 +73,7 @@ class ElementBlocks {
     return std::ranges::any_of(inputs_,
                                [](const auto& input) { return input.kind == Input::Kind::velocity; });
   }
+  bool reads_time() const { return time_.has_value(); }
   /// Of `orders` orders from k on, those that are not zero for certain.
   int running(int k, int orders) const { return !is_static() ? orders : k == 0 ? 1 : 0; }
 
@@ -91,6 +92,11 @@ class ElementBlocks {
   /// beginning, becomes `most` and `first`. most becomes shorter, and `first` nothing, where the series of a condition, known
   /// up to `orders`, does not reach so far.
   void find_change(int orders, T& most, std::optional<T>& first);
+
+  /// The same for each element on its own: horizon(rows) is how far it is of interest, found(rows, s, is_change) where that is
+  /// farther than s, up to which its choices are known. rows: those that are read of its participants.
+  template <class Horizon, class Found>
+  void find_changes(int orders, const Horizon& horizon, const Found& found);
 
   /// The sum of output 0 at order 0 over all elements.
   T sum(const MotionRows<T>& motion);
@@ -310,6 +316,26 @@ void ElementBlocks<T>::find_change(int orders, T& most, std::optional<T>& first)
         for (int k = 0; k < orders; ++k) c[k] = blocks_.at(b, place, k)[lane];
         find_first_change<T>(c, at_zero, most, first);
       }
+    }
+}
+
+template <class T>
+template <class Horizon, class Found>
+void ElementBlocks<T>::find_changes(int orders, const Horizon& horizon, const Found& found) {
+  std::vector<int> of_element(participants_);
+  std::vector<T> c(orders);
+  for (std::size_t b = 0; b < blocks_.blocks(); ++b)
+    for (int lane = 0; lane < blocks_.active(b); ++lane) {
+      for (int i = 0; i < participants_; ++i) of_element[i] = rows(b, i)[lane] / padded(dimension_);
+      const T all = horizon(of_element);
+      if (!(all > T(0))) continue;
+      T most = all;
+      std::optional<T> first;
+      for (const auto& [place, at_zero] : blocks_.program().conditions) {
+        for (int k = 0; k < orders; ++k) c[k] = blocks_.at(b, place, k)[lane];
+        find_first_change<T>(c, at_zero, most, first);
+      }
+      if (most < all || first) found(of_element, most, first.has_value());
     }
 }
 

@@ -89,14 +89,37 @@ class Expansion {
   /// of the positions' coefficients.   into: shape (particles).
   void curve(int last, const T& s, std::vector<T>& into) const;
 
+  /// Begins the series from another state, up to an order of 2 or 3, and counts its work as that of a start from this state,
+  /// which then goes on from here. The series that is there can still be read, but it grows no more.
+  void look_ahead(const State<T>& state, int order);
+
+  /// How the forces ahead depart from those to which the series leads at its sum
+  /// sum_{n<=last} w_n x_n s^n, the state ahead. All are largest components, in the unit of time of the series.
+  struct Departure {
+    T force{0};           // u^2 |a - sum_{n=2..last} n (n-1) w_n x_n s^(n-2)| [m]
+    T position{0};        // |x| on both sides [m]
+    T velocity[2]{};      // u |v| at the beginning and ahead [m]
+    T acceleration[2]{};  // u^2 |a| there [m]
+  };
+  /// w: weights of the terms 0 .. last of the positions. Of the particles from first to before end.
+  void take_departure(int last, const T* w, const T& s, int first, int end, Departure& departure) const;
+
   /// Whether a force makes choices that may change; see forces/force.hpp.
   bool has_conditions() const;
   /// The first s in (0, h], in units of time, at which a choice that was made at the start would be made otherwise; nothing if
   /// there is none. h becomes shorter where the series of a condition does not reach so far.
   std::optional<T> first_change(T& h);
 
-  /// (element, order) pairs computed since construction: the honest unit of cost.
-  std::size_t element_coefficients() const { return element_coefficients_; }
+  /// The same for each element on its own, see ElementBlocks::find_changes; rows are the numbers of particles.
+  template <class Horizon, class Found>
+  void find_changes(const Horizon& horizon, const Found& found) {
+    for (auto& law : laws_)
+      if (law.count() > 0 && law.has_conditions()) law.find_changes(order_ - 1, horizon, found);
+  }
+
+  /// (element, order) pairs computed since construction: the honest unit of cost. Those of a state ahead count when a
+  /// start has gone on from there, or elsewhere.
+  std::size_t element_coefficients() const { return element_coefficients_ - ahead_.element_coefficients; }
 
   /// Memory held for series, in bytes.
   std::size_t bytes() const;
@@ -108,6 +131,11 @@ class Expansion {
   T norm(const AlignedVector<T>& series, int k) const;
   /// Rows of coordinates in padded rows.
   void pad(const Coordinates<T>& rows, T* to) const;
+  bool pads(const Coordinates<T>& rows, const T* padded) const;
+  void begin(const State<T>& state, const T& time_unit);
+  bool is_ahead(const State<T>& state, const T& time_unit) const;
+  void go_ahead(const T& time);
+  void swap_ahead();
 
   /// Eight numbers at a time go through all orders.
   void sum(const AlignedVector<T>& series, int first, int last, const T* w, const T& s,
@@ -163,6 +191,15 @@ class Expansion {
   AlignedVector<T> x_, v_;  // [order][particle][padded component]
   AlignedVector<T> rest_;   // what the positions of order 0 have beyond the number; empty if nothing
   std::size_t element_coefficients_ = 0;
+
+  struct Ahead {
+    bool is_known = false;
+    AlignedVector<T> x, v, rest;  // as x_, v_, rest_
+    T time{};
+    int order = 1;
+    std::size_t element_coefficients = 0;
+  };
+  Ahead ahead_;
 };
 
 extern template class Expansion<double>;

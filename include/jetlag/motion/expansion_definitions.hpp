@@ -8,12 +8,47 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "jetlag/motion/expansion.hpp"
 
 namespace jetlag {
+
+namespace detail {
+
+/// Calls f(i, c) for the components of all rows, with as many loops as there are dimensions.
+template <class F>
+void for_components(int rows, int dimension, const F& f) {
+  const auto all = [&](auto d) {
+    for (int i = 0; i < rows; ++i)
+      for (int c = 0; c < d; ++c) f(static_cast<std::size_t>(i), c);
+  };
+  if (dimension == 3) return all(std::integral_constant<int, 3>{});
+  if (dimension == 2) return all(std::integral_constant<int, 2>{});
+  all(std::integral_constant<int, 1>{});
+}
+
+/// sum_{n=first..last} w(n) c_n s^(n-first), by Horner's rule, of up to eight numbers beside each other; those of order n
+/// begin at c + n rows.
+template <class T, class Weight>
+std::array<T, 8> sums_of_eight(const T* c, std::size_t rows, std::size_t lanes, int first, int last,
+                               const Weight& w, const T& s) {
+  const auto of = [=](auto count) {
+    std::array<T, 8> total{};
+    for (int n = last; n >= first; --n) {
+      const T weight = w(n);
+      for (std::size_t i = 0; i < count; ++i) total[i] = total[i] * s + weight * c[n * rows + i];
+    }
+    return total;
+  };
+  if (lanes == 8) return of(std::integral_constant<std::size_t, 8>{});  // unrolled
+  if (lanes == 4) return of(std::integral_constant<std::size_t, 4>{});
+  return of(lanes);
+}
+
+}  // namespace detail
 
 template <class T>
 Expansion<T>::Expansion(const Model<T>& model, int expected_degree, const KernelTable<T>& table,
@@ -53,10 +88,19 @@ void Expansion<T>::move_to(const Model<T>& model) {
 template <class T>
 void Expansion<T>::start(const State<T>& state, const T& time_unit) {
   require_shape(state, particles_, dimension_);
+  const bool ahead = is_ahead(state, time_unit);
+  ahead_.is_known = false;
+  ahead_.element_coefficients = 0;
+  if (ahead) return go_ahead(state.time);
   for (int i = 0; i < particles_; ++i)
     if (inverse_mass_[i * stride_] == T(0) && !(state.velocity.row(i).array() == T(0)).all())
       throw std::invalid_argument("Expansion: particle " + std::to_string(i) +
                                   " is fixed and must be at rest");
+  begin(state, time_unit);
+}
+
+template <class T>
+void Expansion<T>::begin(const State<T>& state, const T& time_unit) {
   time_ = state.time;
   pad(state.position, at(x_, 0));
   pad(state.velocity, at(v_, 0));
@@ -67,9 +111,10 @@ void Expansion<T>::start(const State<T>& state, const T& time_unit) {
 
 template <class T>
 void Expansion<T>::pad(const Coordinates<T>& rows, T* to) const {
-  const T* from = rows.data();
-  for (int i = 0; i < particles_; ++i, from += dimension_, to += stride_)
-    for (int c = 0; c < dimension_; ++c) to[c] = from[c];
+  detail::for_components(particles_, dimension_,
+                         [=, from = rows.data(), d = dimension_, stride = stride_](std::size_t i, int c) {
+                           to[i * stride + c] = from[i * d + c];
+                         });
 }
 
 template <class T>
@@ -77,6 +122,7 @@ void Expansion<T>::restart(const T& time_unit) {
   using std::isfinite;
   if (time_unit == T(0) || !isfinite(time_unit))
     throw std::invalid_argument("Expansion: the unit of time must be finite and not 0");
+  ahead_.is_known = false;
   if (push_.empty() || time_unit_ != time_unit) {
     push_.resize(inverse_mass_.size());
     for (std::size_t i = 0; i < push_.size(); ++i) push_[i] = inverse_mass_[i] * time_unit;
@@ -90,6 +136,8 @@ void Expansion<T>::restart(const T& time_unit) {
 
 template <class T>
 void Expansion<T>::grow_to(int order) {
+  if (ahead_.is_known && order > order_)
+    throw std::logic_error("Expansion: a series that has looked ahead grows no more");
   if (order > capacity_) reserve(std::max(2 * capacity_, order));
   if (wavefront_) return sweep_to(order);
   while (order_ < order) grow_by(order_ + 1 < order ? 2 : 1);
@@ -144,7 +192,8 @@ std::optional<T> Expansion<T>::first_change(T& h) {
 
 template <class T>
 std::size_t Expansion<T>::bytes() const {
-  std::size_t total = sizeof(T) * (x_.size() + v_.size() + 2 * inverse_mass_.size());
+  std::size_t total =
+      sizeof(T) * (x_.size() + v_.size() + ahead_.x.size() + ahead_.v.size() + 2 * inverse_mass_.size());
   for (const auto& blocks : laws_) total += blocks.bytes();
   return total;
 }
@@ -176,17 +225,10 @@ void Expansion<T>::sum(const AlignedVector<T>& series, int first, int last, cons
   into.resize(particles_, dimension_);
   const std::size_t rows = row_size();
   const int log_stride = std::bit_width(static_cast<unsigned>(stride_)) - 1;  // 1, 2 or 4
-  std::array<T, width> total;
   for (std::size_t begin = 0; begin < rows; begin += width) {
     const std::size_t size = std::min(width, rows - begin);
-    total.fill(T(0));
-    for (int n = last; n >= first; --n) {
-      const T *c = series.data() + n * rows + begin, &weight = w[n];
-      if (size == width)
-        for (std::size_t i = 0; i < width; ++i) total[i] = total[i] * s + weight * c[i];
-      else
-        for (std::size_t i = 0; i < size; ++i) total[i] = total[i] * s + weight * c[i];
-    }
+    const auto total =
+        detail::sums_of_eight(series.data() + begin, rows, size, first, last, [w](int n) { return w[n]; }, s);
     for (std::size_t i = 0; i < size; ++i)
       if (const std::size_t component = i & (stride_ - 1); component < static_cast<std::size_t>(dimension_))
         into.data()[((begin + i) >> log_stride) * dimension_ + component] = total[i];
@@ -300,7 +342,13 @@ void Expansion<T>::reserve(int degree) {
   capacity_ = degree;
   x_.resize((degree + 1) * row_size(), T(0));
   v_.resize((degree + 1) * row_size(), T(0));
+  if (!ahead_.x.empty()) {
+    ahead_.x.resize(x_.size(), T(0));
+    ahead_.v.resize(v_.size(), T(0));
+  }
   for (auto& blocks : laws_) blocks.reserve(degree - 1);  // x_degree needs order degree - 2 of the forces
 }
 
 }  // namespace jetlag
+
+#include "jetlag/motion/expansion_ahead.hpp"

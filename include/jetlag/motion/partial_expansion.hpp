@@ -55,6 +55,22 @@ class PartialExpansion {
   /// Grows the active series from orders 0 and 1 to `order`. time [s]: of laws that depend on it.
   void grow_to(int order, double time);
 
+  /// When choices in the forces change, on the series up to `order`, to which it has grown: see ElementBlocks::find_changes,
+  /// of numbers of particles.
+  template <class Horizon, class Found>
+  void find_changes(int order, const Horizon& horizon, const Found& found) {
+    const auto particles = [&](std::vector<int>& rows) {
+      for (int& row : rows) {
+        const auto place = static_cast<std::size_t>(row);
+        row = place < active_.size() ? active_[place] : known_[place - active_.size() - 1];
+      }
+    };
+    for (auto& law : laws_)
+      if (law.count() > 0 && law.has_conditions())
+        law.find_changes(
+            order - 1, [&](std::vector<int>& rows) { return particles(rows), horizon(rows); }, found);
+  }
+
   /// (element, order) pairs computed since construction.
   std::uint64_t element_coefficients() const { return element_coefficients_; }
 
