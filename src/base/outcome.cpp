@@ -14,6 +14,7 @@ const char* to_string(Outcome outcome) {
     case Outcome::interrupted: return "interrupted";
     case Outcome::not_converged: return "not_converged";
     case Outcome::event: return "event";
+    case Outcome::contradicted: return "contradicted";
   }
   return "unknown";
 }

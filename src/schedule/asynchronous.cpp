@@ -114,7 +114,11 @@ bool Asynchronous::choose_steps(Ticks::Count now, Report& report) {
     doubt_[i] = 0;
     if (underflows(i)) stuck.push_back(i);
   }
-  motion_->up_to_kinks(now, due_, [&](int i) { return ticks.seconds(step_[i]); }, shortened_);
+  motion_->up_to_kinks(now, due_, [&](int i) { return step_[i]; }, shortened_);
+  if (motion_->sliding() >= 0) {
+    report = sliding(now, motion_->sliding());
+    return false;
+  }
   for (const Kinks::Step& step : shortened_) {
     const int i = step.particle;
     const Ticks::Count end = now + std::max<Ticks::Count>(ticks.in(step.h), 1) - motion_->begin_of(i);

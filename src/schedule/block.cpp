@@ -134,8 +134,11 @@ bool BlockSteps::choose_levels(const std::vector<int>& updated, std::int64_t now
     report = underflow(now, stuck);
     return false;
   }
-  motion_->up_to_kinks(
-      now, updated, [&](int i) { return ticks.seconds(Ticks::step(level_[i])); }, shortened_);
+  motion_->up_to_kinks(now, updated, [&](int i) { return Ticks::step(level_[i]); }, shortened_);
+  if (motion_->sliding() >= 0) {
+    report = sliding(now, motion_->sliding());
+    return false;
+  }
   for (const Kinks::Step& step : shortened_) {
     const int i = step.particle, level = std::min(ticks.level(step.h), Ticks::finest);
     if (level <= level_[i]) continue;

@@ -64,7 +64,8 @@ Report EventDriven::run(State<double>& state, double until, const RunOptions& op
     }
     if (!is_due) {
       hand_out();
-      return {};
+      agrees_at(until, report);
+      return report;
     }
     if (step == options.max_steps) {
       hand_out();

@@ -6,6 +6,7 @@
 #include <limits>
 #include <sstream>
 
+#include "jetlag/base/text.hpp"
 #include "schedule/local/local_motion.hpp"
 
 namespace jetlag {
@@ -67,6 +68,8 @@ bool ParticleClocks::next_event(const Observer& observer, Report& report) {
   return done;
 }
 
+bool ParticleClocks::agrees_at(double until, Report& report) { return motion_->agree_at(until, report); }
+
 // ---- the motion ------------------------------------------------------------------------------------------
 
 State<double> ParticleClocks::at(double time) const { return motion_->at(time); }
@@ -89,6 +92,16 @@ Report ParticleClocks::underflow(std::int64_t now, const std::vector<int>& parti
           "tolerance "
           "or count the time from a later origin";
   return {Outcome::step_underflow, text.str(), particles.front()};
+}
+
+/// The report of a particle whose choices change again and again.
+Report ParticleClocks::sliding(std::int64_t now, int particle) const {
+  return {Outcome::step_underflow,
+          "choices in the forces on particle " + std::to_string(particle) +
+              " have changed 100 times in a row with next to no time in between, at t = " +
+              shown(motion_->ticks().time(now)) +
+              ": the motion slides along a jump of the force or chatters about it; end the run before",
+          particle};
 }
 
 }  // namespace jetlag

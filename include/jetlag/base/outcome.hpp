@@ -15,6 +15,7 @@ enum class Outcome {
   interrupted,     // the caller asked to stop
   not_converged,   // the equations of an implicit step are not solved
   event,           // a terminal event has ended the run
+  contradicted,    // the forces at the end of a step that cannot be taken again are not those that it foresaw
 };
 
 const char* to_string(Outcome outcome);

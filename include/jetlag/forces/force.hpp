@@ -34,9 +34,9 @@
 //     template <int D>              // the way to where the force has a kink or jumps [m]
 //     static Vector<double, D> kink(const Positions<D, 2>& x, double stiffness, double rest_length);
 //
-// A force may make choices: select, abs, min, max, and roots that come to zero. Steps of the schedule lockstep end where one of
+// A force may make choices: select, abs, min, max, and roots that come to zero. Steps end where one of
 // them changes, found from the series of what decides it. A `kink` takes their place: it costs less, since particles far from
-// it are not looked at, and it is known to the clocks of block and asynchronous schedules, which do not know choices.
+// it are not looked at. Ensembles in lanes (ensembles/ensemble.hpp) do not know choices.
 //
 // Invariants, tested for every law of the register (forces.hpp):
 //   - a law between particles conserves momentum: the forces of an element add up to zero to the last bit, those given

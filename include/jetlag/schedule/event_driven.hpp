@@ -38,6 +38,9 @@ class EventDriven : public Schedule {
   /// All that is due next. False with a report; `last_` is then the time up to which the motion is known.
   virtual bool next_event(const Observer& observer, Report& report) = 0;
 
+  /// Whether the motion agrees with the forces at the end of a run; false with a report.
+  virtual bool agrees_at(double /*until*/, Report& /*report*/) { return true; }
+
   /// The state at a time [s] that is known; at the next event and at `last_`, whose times may be rounded ones.
   virtual State<double> at(double time) const = 0;
   virtual State<double> at_next() const { return at(next_time()); }

@@ -46,6 +46,7 @@ class ParticleClocks : public EventDriven {
 
   /// The report for steps that no longer change the time.
   Report underflow(std::int64_t now, const std::vector<int>& particles) const;
+  Report sliding(std::int64_t now, int particle) const;
 
   std::unique_ptr<LocalMotion> motion_;
 
@@ -55,6 +56,7 @@ class ParticleClocks : public EventDriven {
   double next_time() const final;
   double reach() const final;
   bool next_event(const Observer& observer, Report& report) final;
+  bool agrees_at(double until, Report& report) final;
   State<double> at(double time) const final;
   State<double> at_next() const final;
   State<double> at_last() const final;

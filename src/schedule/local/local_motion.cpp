@@ -23,7 +23,10 @@ LocalMotion::LocalMotion(const Model<double>& model, const TruncationLaw& law, c
       model_(model),
       all_(model, std::max(order_, 2), kernels<double>(), Workers(options.threads)),
       places_(model.particles(), -1),
-      to_kinks_(model) {
+      to_kinks_(model),
+      watches_(all_.has_conditions()),
+      to_change_(model.particles(), false),
+      instants_(model.particles(), 0) {
   require_positive("tolerance", options_.tolerance);
   require_positive("max_step", options_.max_step, true);
   if (order_ < 2) throw std::invalid_argument("schedule: the degree must be at least 2");
@@ -42,6 +45,9 @@ LocalMotion::LocalMotion(const Model<double>& model, const TruncationLaw& law, c
 void LocalMotion::begin(const State<double>& state, const Ticks& ticks) {
   all_.start(state);  // throws what is to be thrown
   to_kinks_.kinks().forget();
+  to_change_.assign(to_change_.size(), false);
+  std::ranges::fill(instants_, 0);
+  sliding_ = -1;
   natural_.assign(state.position.rows(), ticks.seconds(Ticks::step(0)));
   set_ticks(ticks);
   const std::size_t particles = state.position.rows();

@@ -50,25 +50,35 @@ class LocalMotion {
   bool update(PartialExpansion& group, Count now, Report& report);
   bool update_all(Count now, Report& report);
 
+  /// Whether the forces on all particles agree with their series at a time [s] at which these end.
+  bool agree_at(double time, Report& report);
+
   /// How far a particle may go by its own series [s]; at most max_step.
   double step_of(int particle) const;
   /// The first level from `coarsest` on whose step is no longer than that; beyond the finest where there is none.
   int level_of(int particle, int coarsest);
 
-  /// Shortens steps that particles are about to take where a kink of a force lies within them; they and their steps [s]
-  /// come in order. `shortened` gets them, and those that were to go farther in a step that has begun before.
+  /// Shortens steps that particles are about to take where a kink of a force lies within them, or the change of a choice that
+  /// a force makes. They come in order and have just been updated; step_of(i): the step [ticks] of any particle from where it
+  /// began. `shortened` gets them, and those that were to go farther in a step that has begun before.
   template <class StepOf>
   void up_to_kinks(Count now, std::span<const int> particles, const StepOf& step_of,
                    std::vector<Kinks::Step>& shortened) {
     shortened.clear();
-    if (to_kinks_.none()) return;
-    to_kinks_.begin();
-    for (int i : particles) {
-      const double h = step_of(i);
-      to_kinks_.take({i, h, curve(i, h)}, ticks_.time(now), series(i), series(i) + stride_);
+    if (!to_kinks_.none()) {
+      to_kinks_.begin();
+      for (int i : particles) {
+        const double h = ticks_.seconds(step_of(i));
+        to_kinks_.take({i, h, curve(i, h)}, ticks_.time(now), series(i), series(i) + stride_);
+      }
+      if (to_kinks_.any_late()) shorten_late(now, shortened);
     }
-    if (to_kinks_.any_late()) shorten_late(now, shortened);
+    if (watches_)
+      up_to_changes(
+          now, particles, [&](int i) { return ticks_.seconds(begin_[i] + step_of(i) - now); }, shortened);
   }
+  /// A particle whose choices have changed 100 times in a row with next to no time in between; -1: none.
+  int sliding() const { return sliding_; }
 
   /// Keeps the series of those particles of a group that may cross a kink before their update.
   void remember(std::span<const int> particles);
@@ -78,7 +88,8 @@ class LocalMotion {
   bool keeps_its_word(std::size_t k, Count tick) const;
   /// A particle that must be remembered at its next update.
   void doubt(int particle) {
-    to_kinks_.kinks().doubt(particle);
+    if (!to_kinks_.none()) to_kinks_.kinks().doubt(particle);
+    if (watches_) to_change_[particle] = true;
     natural_[particle] = step_of(particle);
   }
 
@@ -126,6 +137,12 @@ class LocalMotion {
   template <int stride>
   double curve_padded(int particle, double h) const;
   void shorten_late(Count now, std::vector<Kinks::Step>& shortened);
+  void up_to_changes(Count now, std::span<const int> particles, const std::function<double(int)>& left,
+                     std::vector<Kinks::Step>& shortened);
+  double beyond_change(std::span<const int> particles, Count now) const;
+  bool in_doubt(int particle) const {
+    return (!to_kinks_.none() && to_kinks_.kinks().in_doubt(particle)) || (watches_ && to_change_[particle]);
+  }
   void set_ticks(const Ticks& ticks);
   template <class Since>
   State<double> state_at(double t, const Since& since) const {
@@ -142,6 +159,7 @@ class LocalMotion {
   template <int stride>
   bool update_padded(PartialExpansion& group, Count now, Report& report);
   bool finite_series(const double* c, int particle, Count now, Report& report) const;
+  bool agrees(int particle, double time, double s, const double* c_2, Report& report) const;
   void publish(int particle, Count now, std::uint64_t group);
   void count(std::size_t updated);
 
@@ -162,6 +180,11 @@ class LocalMotion {
   std::vector<std::uint64_t> updates_;
   std::vector<double> shift_, rows_;  // room for an update
   StepsToKinks to_kinks_;
+  bool watches_;                         // whether a force makes choices
+  PartialExpansion* updated_ = nullptr;  // the group that was updated last; null: all
+  std::vector<bool> to_change_;          // whether the step of a particle ends at the change of a choice
+  std::vector<int> instants_;            // how many of these in a row had next to no length
+  int sliding_ = -1;
   std::vector<double> natural_;  // step [s] that the series of a particle in doubt asks for
   std::vector<int> former_;
   std::vector<Count> former_begin_;

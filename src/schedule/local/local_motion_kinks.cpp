@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Kinks of forces within the steps of particles, and whether a new series goes on where the former one was to lead.
+// Kinks of forces and changes of their choices within the steps of particles, and whether a new series goes on where the former one was to lead.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "schedule/local/local_motion.hpp"
 
@@ -62,15 +63,68 @@ void LocalMotion::shorten_late(Count now, std::vector<Kinks::Step>& shortened) {
   shortened.assign(shorter.begin(), shorter.end());
 }
 
+/// How far [s] beyond the change of its choice the step of an element ends at least: some places of the time, more where that was
+/// not enough for the next step to see it.
+double LocalMotion::beyond_change(std::span<const int> particles, Count now) const {
+  int instants = 0;
+  for (int i : particles) instants = std::max(instants, std::abs(instants_[i]));
+  return std::ldexp(std::max(StepsToKinks::least(ticks_.time(now)), ticks_.seconds(1)),
+                    std::min(instants, 20));
+}
+
+/// left(i): what is left of the step of a particle [s].
+void LocalMotion::up_to_changes(Count now, std::span<const int> particles,
+                                const std::function<double(int)>& left, std::vector<Kinks::Step>& shortened) {
+  for (int i : particles) to_change_[i] = false;
+  struct End {
+    int particle;
+    double h;         // [s]
+    bool is_instant;  // no longer than 2^12 times what it ends beyond the change
+    auto operator<=>(const End&) const = default;
+  };
+  std::vector<End> ends;
+  const auto horizon = [&](std::span<const int> rows) {
+    double most = 0;
+    for (int i : rows)
+      if (!model_.fixed()[i]) most = std::max(most, left(i));
+    return most;
+  };
+  const auto found = [&](std::span<const int> rows, double s, bool is_change) {
+    const double beyond = beyond_change(rows, now), h = is_change ? s + beyond : s;
+    for (int i : rows)
+      if (!model_.fixed()[i] && h < left(i)) ends.push_back({i, h, h <= 0x1p12 * beyond});
+  };
+  if (updated_)
+    updated_->find_changes(order_, horizon, found);
+  else
+    all_.find_changes(horizon, found);
+  std::ranges::sort(ends);                               // of each particle the nearest first
+  for (int i : particles) instants_[i] = -instants_[i];  // below 0: not yet seen to go on
+  int last = -1;
+  for (const auto& [i, h, is_instant] : ends) {
+    if (i == std::exchange(last, i)) continue;
+    natural_[i] = step_of(i);
+    to_change_[i] = true;
+    shortened.push_back({i, h, 0.0});
+    if (begin_[i] == now && is_instant) instants_[i] = std::abs(instants_[i]) + 1;
+  }
+  for (int i : particles) {
+    // A step that is as short without a change, as one after such a step may be, neither counts nor ends the row.
+    const bool goes_on = left(i) > 0x1p12 * beyond_change({&i, 1}, now);
+    if (instants_[i] < 0) instants_[i] = goes_on ? 0 : -instants_[i];
+    if (instants_[i] >= 100) sliding_ = i;
+  }
+}
+
 void LocalMotion::remember(std::span<const int> particles) {
   former_.clear();
   former_begin_.clear();
   former_degree_.clear();
   former_natural_.clear();
   former_series_.clear();
-  if (to_kinks_.none()) return;
+  if (to_kinks_.none() && !watches_) return;
   for (int i : particles) {
-    if (!to_kinks_.kinks().in_doubt(i)) continue;
+    if (!in_doubt(i)) continue;
     former_.push_back(i);
     former_begin_.push_back(begin_[i]);
     former_degree_.push_back(degree_[i]);

@@ -2,6 +2,7 @@
 // New series: for a group of particles, expanded together about a tick, or for all.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "jetlag/base/text.hpp"
@@ -40,6 +41,49 @@ bool LocalMotion::finite_series(const double* c, int particle, Count now, Report
   return true;
 }
 
+/// Whether the force on a particle at the end of its series, s [s] after it began, is the one to which this leads. c_2: coefficient
+/// 2 of its position there. The defect d = s^2 |2 c_2 - x''| may be
+///
+///     2^16 eps max(|x|, s |v|, s^2 |a|) + 4 N (N+1) tolerance + 16 sum_{n>m} n (n-1) w_n |x_n| s^n
+///   + 8 eps |t/s| sum_{n>2} n (n-1) (n-2) |x_n| s^n
+///
+/// as in integrators/step_check.hpp, and four times as much of the tolerance, by which neighbours may depart from their series. A
+/// step that ends beyond a kink or the change of a choice is not looked at.
+bool LocalMotion::agrees(int particle, double time, double s, const double* c_2, Report& report) const {
+  if (updates_[particle] == 0 || !(s > 0) || in_doubt(particle)) return true;
+  const double *c = series(particle), *weights = stops_.weights();
+  double defect = 0;
+  for (int d = 0; d < dimension_; ++d) {
+    double led = 0;
+    for (int n = degree_[particle]; n >= 2; --n)
+      led = led * s + n * (n - 1) * weights[n] * c[n * stride_ + d];
+    defect = std::max(defect, std::abs(2 * c_2[d] - led) * s * s);
+  }
+  const double tolerance = 4 * degree() * (degree() + 1) * options_.tolerance;
+  if (!(defect > tolerance)) return true;
+  constexpr double eps = std::numeric_limits<double>::epsilon();
+  const double position = norm_of(particle, 0), velocity = s * norm_of(particle, 1),
+               force = 2 * s * s * norm_of(particle, 2);
+  double allowed = tolerance + 0x1p16 * eps * std::max({position, velocity, force});
+  double power = s;
+  for (int n = 2; n <= order_; ++n) {
+    power *= s;
+    const double term = n * (n - 1) * norm_of(particle, n) * power;
+    if (n > stops_.law().min_degree())
+      allowed += 16 * (n <= degree() ? std::max(1.0, weights[n]) : 1.0) * term;
+    allowed += 8 * eps * std::abs(time / s) * (n - 2) * term;
+  }
+  if (!(defect > allowed)) return true;
+  report = {Outcome::contradicted,
+            "the force on particle " + std::to_string(particle) + " at t = " + shown(time) +
+                " contradicts its series of the last " + shown(s) +
+                " s, which others have relied on: the force is singular or jumps there; write it with "
+                "select, abs, min "
+                "or max, which are watched, or take Lockstep, which takes such steps again",
+            particle};
+  return false;
+}
+
 void LocalMotion::publish(int particle, Count now, std::uint64_t group) {
   begin_[particle] = now;
   if (!stops_.law().is_fixed())
@@ -64,6 +108,7 @@ bool LocalMotion::update(PartialExpansion& group, Count now, Report& report) {
                     : stride_ == 2 ? update_padded<2>(group, now, report)
                                    : update_padded<4>(group, now, report);
   partial_coefficients_ += group.element_coefficients() - before;
+  updated_ = &group;
   if (!done) return false;
   for (int i : group.active()) publish(i, now, groups_);
   count(group.active().size());
@@ -109,14 +154,22 @@ bool LocalMotion::update_padded(PartialExpansion& group, Count now, Report& repo
       if (!finite_series(rows_.data(), active[a], now, report)) return false;
     }
   }
+  for (std::size_t a = 0; a < active.size(); ++a)
+    if (!agrees(active[a], ticks_.time(now), ticks_.seconds(now - begin_[active[a]]), group.active_row(2, a),
+                report))
+      return false;
   for (std::size_t a = 0; a < active.size(); ++a) copy(a, series(active[a]));
   return true;
 }
 
 bool LocalMotion::update_all(Count now, Report& report) {
+  updated_ = nullptr;
   all_.start(at_tick(now));
   all_.grow_to(order_);
   if (!all_finite(all_, report)) return false;
+  for (int i : moving_)
+    if (!agrees(i, ticks_.time(now), ticks_.seconds(now - begin_[i]), all_.position(2).row(i).data(), report))
+      return false;
   for (int n = 0; n <= order_; ++n) {
     const auto x = all_.position(n);
     for (int i : moving_)
@@ -125,6 +178,16 @@ bool LocalMotion::update_all(Count now, Report& report) {
   for (int i : moving_) publish(i, now, groups_);
   count(moving_.size());
   return true;
+}
+
+bool LocalMotion::agree_at(double time, Report& report) {
+  if (std::ranges::all_of(moving_, [&](int i) { return !(ticks_.since(begin_[i], time) > 0); })) return true;
+  all_.start(at(time));
+  all_.grow_to(2);
+  if (!all_.position(2).allFinite()) return true;  // said by whoever goes on from there
+  return std::ranges::all_of(moving_, [&](int i) {
+    return agrees(i, time, ticks_.since(begin_[i], time), all_.position(2).row(i).data(), report);
+  });
 }
 
 }  // namespace jetlag
