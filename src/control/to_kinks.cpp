@@ -49,7 +49,11 @@ ToKinks::ToKinks(const ToKinks& other)
 
 double ToKinks::propose(const Prospect& prospect) {
   const double h = cropped(inner_->propose(prospect), prospect.limit);
-  return steps_.none() || is_given() || !std::isfinite(h) ? h : up_to_kinks(h, prospect);
+  is_to_kink_ = false;
+  if (steps_.none() || is_given() || !std::isfinite(h)) return h;
+  const double shortened = up_to_kinks(h, prospect);
+  is_to_kink_ = shortened < h;
+  return shortened;
 }
 
 double ToKinks::up_to_kinks(double h, const Prospect& prospect) {

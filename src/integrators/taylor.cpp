@@ -49,14 +49,14 @@ RandomTaylor::RandomTaylor(const System<double>& system, Truncation law, std::un
       stops().law().min_degree() == 0)
     throw std::invalid_argument(
         "RandomTaylor: compensated sums of velocities from the derivative need a min_degree of at least 1");
-  control_.orders_read(stops().law(), options_.velocity);  // refuses a law that it cannot forecast
+  const int read =
+      control_.orders_read(stops().law(), options_.velocity);  // refuses a law that it cannot forecast
+  ahead_ = std::min(3, std::max(read, order_needed(stops().law().min_degree(), options_.velocity)));
 }
 
 double RandomTaylor::step(State<double>& state, double limit, Report& report) {
-  series_.start(state);
-  series_.draw(update_);
-  series_.grow_to(control_.orders_read(stops().law(), options_.velocity));
-  const double h = up_to_change(control_.propose({expansion(), stops().law(), limit}));
+  begin(state);
+  double h = up_to_change(control_.propose({expansion(), stops().law(), limit}));
   if (changes_.is_stuck()) {
     report = {Outcome::step_underflow,
               "choices in a force have changed 100 times in a row with next to no time in between, at t = " +
@@ -70,19 +70,120 @@ double RandomTaylor::step(State<double>& state, double limit, Report& report) {
     if (all_finite(expansion(), report)) report = step_underflow(expansion(), h);
     return 0.0;
   }
-  series_.stop(h, update_);
-  sum(state, h, next_);
-  if (!next_.position.allFinite() || !next_.velocity.allFinite()) {
-    if (all_finite(expansion(), report)) all_finite(next_.position, next_.velocity, state.time, report);
-    return 0.0;
+  proposed_ = h;
+  if (!end(state, h, report)) return 0.0;
+  while (!agrees_with_forces(state, h)) {
+    ++work_.rejected;
+    changes_.take_none();
+    const int particle = most_departed(h);
+    h *= 0.5;
+    if (!advances(state.time, h)) {
+      report = {
+          Outcome::step_underflow,
+          "the force on particle " + std::to_string(particle) +
+              " at the end of a step contradicts the series from its beginning at t = " + shown(state.time) +
+              ", however short the step: the force is singular or jumps there; end before, or write it with "
+              "select, abs, min or max, which are watched",
+          particle};
+      return 0.0;
+    }
+    begin(state);
+    if (!end(state, h, report)) return 0.0;
   }
   control_.left_at(next_.position);
+  next_.time = state.time;
   std::swap(state, next_);
   last_step_ = h;
   ++update_;
   count();
   return h;
 }
+
+void RandomTaylor::begin(const State<double>& state) {
+  series_.start(state);
+  series_.draw(update_);
+  series_.grow_to(control_.orders_read(stops().law(), options_.velocity));
+}
+
+/// The state at the end of the step h. Returns whether it is finite.
+bool RandomTaylor::end(const State<double>& from, double h, Report& report) {
+  series_.stop(h, update_);
+  sum(from, h, next_);
+  if (next_.position.allFinite() && next_.velocity.allFinite()) return true;
+  if (all_finite(expansion(), report)) all_finite(next_.position, next_.velocity, from.time, report);
+  return false;
+}
+
+// ---- the forces at the end -----------------------------------------------------------------------------------
+
+/// Whether they are those to which the series leads; always for steps that are given.
+bool RandomTaylor::agrees_with_forces(const State<double>& from, double h) {
+  if (ahead_ < 2) return true;
+  StepDefect defect = defect_at_end(from, h);
+  const bool counts = control_.is_given() && stops().law().is_fixed();
+  bool is_right = (counts && !changes_.is_to_change()) || is_allowed(defect) || changes_.is_instant();
+  // A kink may lie a tolerance before the end: not where the velocity changes there.
+  if (!is_right && control_.is_to_kink())
+    is_right = defect.force * control_.past_kinks() <= defect.begun * defect.begun / 16;
+  // Just beyond a change they have gone another way: a little before.
+  if (const double before = h * (1 - 0x1p-20);
+      !is_right && changes_.is_to_change() && advances(from.time, before)) {
+    sum(from, before, next_);
+    defect = defect_at_end(from, before);
+    sum(from, h, next_);
+    is_right = is_allowed(defect) || from.time + before == from.time + h;
+  }
+  if (!control_.is_given()) return is_right;
+  ledger_.add(defect, is_right && !counts ? 0.0 : defect.force, next_.position,
+              [&] { return most_departed(h); });
+  return true;
+}
+
+/// Of the state at the end, from which the next step will begin.
+StepDefect RandomTaylor::defect_at_end(const State<double>& from, double h) {
+  next_.time = from.time + h;
+  series_.series().look_ahead(next_, ahead_);
+  const double unit = expansion().time_unit(), s = h / unit;
+  const auto at = departure(s, 0, expansion().particles());
+  const auto motion = [&](int side) {
+    return std::max(at.velocity[side] * s, at.acceleration[side] * s * s);
+  };
+  return {from.time, h, proposed_, at.force * s * s, at.position, motion(0), motion(1)};
+}
+
+/// Of the particles from first to before end, where the state ahead is the sum at s.
+Expansion<double>::Departure RandomTaylor::departure(double s, int first, int end) const {
+  Expansion<double>::Departure departure;
+  if (stops().shared())
+    expansion().take_departure(stops().degree(), series_.weights(0), s, first, end, departure);
+  else
+    for (int i = first; i < end; ++i)
+      expansion().take_departure(stops().degree(i), series_.weights(i), s, i, i + 1, departure);
+  return departure;
+}
+
+/// The particle with the largest defect.
+int RandomTaylor::most_departed(double h) const {
+  int most = -1;
+  double largest = -1;
+  for (int i = 0; i < expansion().particles(); ++i) {
+    const double force = departure(h / expansion().time_unit(), i, i + 1).force;
+    if (!(force > largest)) continue;
+    largest = force;
+    most = i;
+  }
+  return most;
+}
+
+bool RandomTaylor::is_allowed(const StepDefect& defect) const {
+  const double s = defect.step / expansion().time_unit();
+  const auto size = [&](int n) { return expansion().position_norm(n) * std::pow(s, n); };
+  return jetlag::is_allowed(defect, stops().law(), control_.is_given() ? 0.0 : control_.past_kinks(),
+                            control_.is_given(), series_.weights(0), stops().largest_degree(),
+                            expansion().order(), size);
+}
+
+// ---- the end -----------------------------------------------------------------------------------------------
 
 /// The step h, or up to the first change of a choice in a force, as far as the control reads the series: that does not depend on
 /// the degree that is drawn.

@@ -52,6 +52,8 @@ void run_schedule(const Scene& scene, Schedule& schedule, const RunHooks& hooks,
   if (report.outcome == Outcome::interrupted)
     report.message += " s, as asked: the outputs hold the run up to there; run it again for the rest";
   recorder.judge();
+  if (std::string warning = schedule.warning(); !warning.empty())
+    summary.warnings.push_back(std::move(warning));
 
   summary.outcome = report.outcome;
   summary.message = report.message;

@@ -35,14 +35,14 @@ end a run in good order, with the outputs up to there.
 
 | key | what |
 |---|---|
-| `outcome` | `success`; `non_finite`: a number is none, or beyond 1e150, where squares overflow; `step_underflow`; `step_limit`; `not_converged`; `event`; `interrupted` |
+| `outcome` | `success`; `non_finite`: a number is none, or beyond 1e150, where squares overflow; `step_underflow`; `step_limit`; `not_converged`; `event`; `contradicted`: the forces are not those that a step on clocks had foreseen, and it cannot be taken again; `interrupted` |
 | `message` | for all but `success`: when, which particle, what to do |
 | `time`, `position`, `velocity` | the last good state [s], [m], [m/s], a row for each particle |
 | `energy` | `initial`, `final` [J] and `max_relative_error`; null without `output.energy` |
 | `momentum` | `initial`, `final` [kg m/s] |
-| `work` | `updates` of particles, `steps`, `coefficients` of particles, `element_coefficients` (of forces, what costs), `mean_degree`, `rejected` steps, `wake_ups` of particles |
+| `work` | `updates` of particles, `steps`, `coefficients` of particles, `element_coefficients` (of forces, what costs), `mean_degree`, `rejected` steps, `wake_ups` of particles; a step is rejected and halved where the forces at its end are not those that its series foresaw |
 | `wall_seconds`, `version`, `seed`, `instruction_set`, `threads` | of this run |
-| `warnings` | a list of texts, empty when there are none; one is that of a scene whose forces conserve the energy and whose energy changed by more than a tenth: the step is too long or the method unstable |
+| `warnings` | a list of texts, empty when there are none; one is that of a scene whose forces conserve the energy and whose energy changed by more than a tenth: the step is too long or the method unstable; another one is that of steps of a given length at whose ends the forces contradict the series, with the time and the particle: positions may be off by more than a thousandth of their extent |
 
 Numbers have all their digits: they read back to the same bits.
 

@@ -8,6 +8,7 @@
 //   - same state, seed and update number: same bits.
 
 #include <memory>
+#include <string>
 
 #include "jetlag/base/outcome.hpp"
 #include "jetlag/base/step_length.hpp"
@@ -32,6 +33,9 @@ class Integrator {
   virtual Piece piece() const = 0;
 
   virtual const Work& work() const = 0;
+
+  /// What the steps so far may have got wrong although they succeeded, in a sentence. Empty: nothing that is known.
+  virtual std::string warning() const { return {}; }
 };
 
 /// The report for a step h that does not change the time: names the fastest particle.

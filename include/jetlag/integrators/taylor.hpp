@@ -8,6 +8,7 @@
 
 #include "jetlag/control/to_kinks.hpp"
 #include "jetlag/integrators/integrator.hpp"
+#include "jetlag/integrators/step_check.hpp"
 #include "jetlag/integrators/steps_to_changes.hpp"
 #include "jetlag/integrators/stopped_series.hpp"
 #include "jetlag/motion/expansion.hpp"
@@ -30,6 +31,11 @@ namespace jetlag {
 /// Steps that a control chooses end at kinks of forces (control/to_kinks.hpp), and all steps where a choice in a force changes
 /// (forces/force.hpp); 100 of these in a row of next to no length, as of a motion that slides along a jump of the force, end
 /// the run as step_underflow.
+///
+/// The forces at the end of a step, with which the next one begins, must be those to which its series leads (step_check.hpp):
+/// steps that a control chooses are halved until they are; where none is short enough the report is step_underflow. Of steps
+/// that are given `warning` says what it makes of them. Velocities from the derivative of a position that may have degree 1
+/// are not checked.
 class RandomTaylor final : public Integrator {
  public:
   struct Options {
@@ -62,6 +68,7 @@ class RandomTaylor final : public Integrator {
   double step(State<double>& state, double limit, Report& report) override;
   Piece piece() const override;
   const Work& work() const override { return work_; }
+  std::string warning() const override { return ledger_.warning(); }
 
   /// What a trajectory has of its own besides its state.
   struct Member : ToKinks::Trajectory {
@@ -72,7 +79,14 @@ class RandomTaylor final : public Integrator {
   void exchange(Member& member);
 
  private:
+  void begin(const State<double>& state);
   double up_to_change(double h);
+  bool end(const State<double>& from, double h, Report& report);
+  bool agrees_with_forces(const State<double>& from, double h);
+  StepDefect defect_at_end(const State<double>& from, double h);
+  bool is_allowed(const StepDefect& defect) const;
+  Expansion<double>::Departure departure(double s, int first, int end) const;
+  int most_departed(double h) const;
   void sum(const State<double>& from, double h, State<double>& to) const;
   void add_increments(State<double>& state, double s) const;
   void weighted_sum(bool of_velocity, double s, int first, Coordinates<double>& sum) const;
@@ -88,7 +102,9 @@ class RandomTaylor final : public Integrator {
   int moving_;
   State<double> next_;  // room for the state at the end of a step
   std::uint64_t update_ = 0;
-  double last_step_ = 0;
+  double last_step_ = 0, proposed_ = 0;
+  int ahead_;  // orders that every step needs
+  DefectLedger ledger_;
   Work work_;
 };
 

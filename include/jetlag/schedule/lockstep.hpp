@@ -15,6 +15,7 @@ class Lockstep final : public Schedule {
   explicit Lockstep(std::unique_ptr<Integrator> integrator) : integrator_(std::move(integrator)) {}
   Report run(State<double>& state, double until, const RunOptions& options) override;
   const Work& work() const override { return integrator_->work(); }
+  std::string warning() const override { return integrator_->warning(); }
 
  private:
   std::unique_ptr<Integrator> integrator_;

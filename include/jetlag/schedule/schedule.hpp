@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "jetlag/base/outcome.hpp"
@@ -83,6 +84,9 @@ class Schedule {
   virtual Report run(State<double>& state, double until, const RunOptions& options) = 0;
 
   virtual const Work& work() const = 0;
+
+  /// What the runs so far may have got wrong although they succeeded, in a sentence. Empty: nothing that is known.
+  virtual std::string warning() const { return {}; }
 };
 
 }  // namespace jetlag
