@@ -19,6 +19,7 @@
 #include "jetlag/integrators/explicit/leapfrog.hpp"
 #include "jetlag/integrators/explicit/rk4.hpp"
 #include "jetlag/integrators/explicit/symplectic_euler.hpp"
+#include "jetlag/integrators/first_order_integrator.hpp"
 #include "jetlag/integrators/first_order_taylor.hpp"
 #include "jetlag/integrators/implicit/explicit_implicit.hpp"
 #include "jetlag/integrators/implicit/implicit.hpp"

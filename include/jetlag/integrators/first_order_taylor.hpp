@@ -9,7 +9,8 @@
 //   FirstOrderState<> state{0.0, {-10.0, -1.0, 40.0}};
 //   const Report report = method.run(state, 20.0);      //  state.time is 20, unless the report says why not
 //
-// f may have kinks and jumps: see one_clock_taylor.hpp.
+// f may have kinks and jumps: see one_clock_taylor.hpp. With events, stop times and dense output of a whole run:
+// first_order_integrator.hpp.
 
 #include <cstdint>
 #include <limits>
@@ -81,15 +82,18 @@ class FirstOrderTaylor : public FirstOrderBase<T> {
       : Base("FirstOrderTaylor", options,
              FirstOrderExpansion<T>(f, checked(size), options.parameters, Base::degree_of(options)), 0) {}
 
+  using Base::series;
+
   /// Other values of p from the next step on. Throws std::invalid_argument for another number of them.
   void set_parameters(std::vector<T> parameters);
 
   /// The solution at a time of the last step, by Horner's rule; after a failure, that from where it failed.
   std::vector<T> at(const T& t) const { return this->state_at(t).y; }
+  /// The same as polynomials in (t - begin) / series().time_unit(): shape (equations)(orders).
+  std::vector<std::vector<T>> polynomials() const;
 
  private:
   using Base::finite;
-  using Base::series;
 
   static int checked(int size) {
     if (size < 1)
@@ -107,6 +111,8 @@ class FirstOrderTaylor : public FirstOrderBase<T> {
   };
   Defect defect(const FirstOrderState<T>& end, const T& h);
   double rounding_of_time(const T& h);
+  void take_extent(const FirstOrderState<T>& state);
+  double extent() const;
   bool rests();
   int orders_read() const { return this->options_.degree; }
   double jorba_zou(double max_step) const;
@@ -116,7 +122,8 @@ class FirstOrderTaylor : public FirstOrderBase<T> {
   bool is_finite(const FirstOrderState<T>& end, Report& report) const;
   void count();
 
-  std::vector<T> rates_, at_end_;  // of the check
+  std::vector<T> rates_, at_end_;   // of the check
+  std::vector<double> low_, high_;  // of y in steps that are given
 };
 
 // ---- definitions -----------------------------------------------------------------------------------------
@@ -206,6 +213,34 @@ typename FirstOrderTaylor<T>::Defect FirstOrderTaylor<T>::defect(const FirstOrde
   const T length = abs(h);
   take(size, T(length * rate));
   return {static_cast<double>(T(length * most)), static_cast<double>(size)};
+}
+
+template <class T>
+void FirstOrderTaylor<T>::take_extent(const FirstOrderState<T>& state) {
+  low_.resize(state.y.size(), std::numeric_limits<double>::infinity());
+  high_.resize(state.y.size(), -std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < state.y.size(); ++i) {
+    low_[i] = std::min(low_[i], static_cast<double>(state.y[i]));
+    high_[i] = std::max(high_[i], static_cast<double>(state.y[i]));
+  }
+}
+
+template <class T>
+double FirstOrderTaylor<T>::extent() const {
+  double extent = 0;
+  for (std::size_t i = 0; i < low_.size(); ++i) extent = std::max(extent, high_[i] - low_[i]);
+  return extent;
+}
+
+template <class T>
+std::vector<std::vector<T>> FirstOrderTaylor<T>::polynomials() const {
+  std::vector<std::vector<T>> all;
+  for (int i = 0; i < series().size(); ++i) {
+    all.emplace_back();
+    for (int k = 0; k <= this->top(); ++k)
+      all.back().push_back(T(this->series_.weights()[k] * series()[i][k]));
+  }
+  return all;
 }
 
 template <class T>

@@ -66,8 +66,8 @@ struct OneClockRunOptions {
 ///         h |f(t + h, y(t + h)) - y'(h)|  <=  max(2^16 eps, 16 N e^(-2(N-1))) max(|y|, h |f|),
 ///
 ///     and what 8 roundings of a late time make of f; the second is N times the last term that Jorba and Zou leave. Where it is
-///     not, the step is halved; where none is short enough, the report is step_underflow. Neither a law, which leaves out more
-///     than that, nor steps of one length are checked.
+///     not, the step is halved; where none is short enough, the report is step_underflow. A law leaves out more
+///     than that and is not checked. Steps of one length cannot be shortened: `warning` says where their defects add up.
 template <class Method, class Series, class State, class Options>
 class OneClockTaylor {
  public:
@@ -90,6 +90,10 @@ class OneClockTaylor {
   const Series& series() const { return series_.series(); }
 
   const Work& work() const { return work_; }
+
+  /// Of a Method that computes f: where the defects of steps of one length, but for 64 roundings of y, add up to more than a
+  /// thousandth of the extent of the solution so far, that they do, and when they were largest. Empty otherwise.
+  std::string warning() const;
 
  protected:
   /// beyond: see StoppedSeries. Throws std::invalid_argument for options that are out of range.
@@ -138,6 +142,8 @@ class OneClockTaylor {
     requires knows_f;
   bool leads_on(const T& h)
     requires knows_f;
+  void add_defect(const T& h)
+    requires knows_f;
   Report refusal(const T& time, const T& h, bool contradicted) const;
   Report underflow(const T& time, const T& h) const;
 
@@ -145,6 +151,8 @@ class OneClockTaylor {
   std::uint64_t update_ = 0;
   int known_ = std::numeric_limits<int>::max();  // the orders of the series that exist
   StepsToChanges<T> changes_;
+  double departure_ = 0, largest_defect_ = 0;  // of steps that are given
+  T largest_at_{};
 };
 
 // ---- definitions -----------------------------------------------------------------------------------------
@@ -184,6 +192,7 @@ auto OneClockTaylor<Method, Series, State, Options>::step(State& state, const T&
       if (self().series_is_finite(report)) report = refusal(state.time, h, true);
       return T(0);
     }
+    if (options_.step && !options_.law && !singular) add_defect(h);
     if (singular && !leads_on(h)) {
       self().series_is_finite(report);
       return T(0);
@@ -297,6 +306,38 @@ bool OneClockTaylor<Method, Series, State, Options>::leads_on(const T& h)
   self().start(begin_, h < T(0));
   series_.grow_to(self().orders_read());
   return whole;
+}
+
+/// Just beyond the change of a choice f has gone another way: a little before.
+template <class Method, class Series, class State, class Options>
+void OneClockTaylor<Method, Series, State, Options>::add_defect(const T& h)
+  requires knows_f
+{
+  const T at = changes_.is_to_change() ? T(h * T(1 - 0x1p-20)) : h;
+  if (at != h) self().sum(begin_, at, next_);
+  const auto [defect, size] = self().defect(next_, at);
+  if (at != h) self().sum(begin_, h, next_);
+  self().take_extent(begin_);
+  self().take_extent(next_);
+  const double beyond = defect - 64 * static_cast<double>(std::numeric_limits<T>::epsilon()) * size;
+  if (!(beyond > 0) || !std::isfinite(size)) return;
+  departure_ += beyond;
+  if (!(beyond > largest_defect_)) return;
+  largest_defect_ = beyond;
+  largest_at_ = T(begin_.time + h);
+}
+
+template <class Method, class Series, class State, class Options>
+std::string OneClockTaylor<Method, Series, State, Options>::warning() const {
+  if constexpr (knows_f) {
+    if (departure_ > 1e-3 * self().extent())
+      return "the steps are given and cannot be shortened, but f at their ends contradicts the series from "
+             "their "
+             "beginnings, most of all at t = " +
+             shown(largest_at_) + ": y may be off by " + shown(departure_) + " in an extent of " +
+             shown(self().extent()) + "; take shorter steps, a higher degree or steps that are chosen";
+  }
+  return {};
 }
 
 template <class Method, class Series, class State, class Options>
