@@ -13,6 +13,7 @@ void register_restart();     // BM_Restart/<problem>/<degree>, BM_RestartTape/<p
 void register_adolc();       // BM_ExpansionAdolC/<problem>/<degree>, nothing without ADOL-C
 void register_engine();      // engine/<what>: one table of the engine's speed
 void register_step();        // BM_Step/<method>/<problem>
+void register_checks();      // BM_Check/<problem>/<degree>/<what>
 void register_asynchrony();  // BM_Asynchrony/<problem>/<degree>, BM_EventQueue/<clocks>
 void register_peers();       // BM_Peers/<problem>/<digits>/<method>
 

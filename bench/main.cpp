@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
   register_restart();
   register_adolc();
   register_step();
+  register_checks();
   register_asynchrony();
   register_engine();
   register_peers();

@@ -137,7 +137,7 @@ std::optional<double> Reporter::exponent(const std::string& stem, const std::vec
 
 void Reporter::print_ratios() {
   using enum Goal::Kind;
-  const std::string tape = "BM_Expansion/cloth10/";
+  const std::string tape = "BM_Expansion/cloth10/", check = "BM_Check/cloth10/", taut = "BM_Check/taut/";
   struct Line {
     const char* what;
     std::optional<double> value;
@@ -152,6 +152,13 @@ void Reporter::print_ratios() {
       {"step: geometric:2,8,0.5 / fixed:3",
        ratio("BM_Step/geometric:2,8,0.5/cloth10", "BM_Step/fixed:3/cloth10"),
        {none}},
+      {"forces at the end looked at, degree 2", ratio(check + "2/forces", check + "2/none"), {none}},
+      {"forces at the end looked at, degree 8", ratio(check + "8/forces", check + "8/none"), {at_most, 1.03}},
+      {"forces at the end looked at, degree 16",
+       ratio(check + "16/forces", check + "16/none"),
+       {at_most, 1.03}},
+      {"choices watched, degree 8", ratio(taut + "8/choices", taut + "8/none"), {at_most, 1.1}},
+      {"choices watched, degree 16", ratio(taut + "16/choices", taut + "16/none"), {at_most, 1.1}},
       {"step: leapfrog / fixed:2", ratio("BM_Step/leapfrog/cloth10", "BM_Step/fixed:2/cloth10"), {none}},
   };
   if (std::ranges::none_of(lines, [](const Line& line) { return line.value.has_value(); })) return;
