@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "jetlag/control/to_kinks.hpp"
 
+#include <algorithm>
+
 namespace jetlag {
 
 namespace {
@@ -49,10 +51,12 @@ ToKinks::ToKinks(const ToKinks& other)
 
 double ToKinks::propose(const Prospect& prospect) {
   const double h = cropped(inner_->propose(prospect), prospect.limit);
-  is_to_kink_ = false;
+  at_kinks_.clear();
   if (steps_.none() || is_given() || !std::isfinite(h)) return h;
   const double shortened = up_to_kinks(h, prospect);
-  is_to_kink_ = shortened < h;
+  if (shortened < h)
+    for (const Kinks::Step& step : steps_.late()) at_kinks_.push_back(step.particle);
+  std::ranges::sort(at_kinks_);
   return shortened;
 }
 

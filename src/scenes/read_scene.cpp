@@ -73,7 +73,7 @@ void require_memory(const System<double>& system, int degree, const Value& parti
     const Program program(elements.law.force);
     numbers += static_cast<double>(elements.count()) * (program.histories * (degree + 1) + program.statics);
   }
-  numbers += 2.0 * system.particles() * padded(system.dimension()) * (degree + 2);
+  numbers += 4.0 * system.particles() * padded(system.dimension()) * (degree + 2);
   const double bytes = 8 * numbers;
   const double memory =
       static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));

@@ -64,7 +64,7 @@ Report EventDriven::run(State<double>& state, double until, const RunOptions& op
     }
     if (!is_due) {
       hand_out();
-      agrees_at(until, report);
+      if (!agrees_at(until, report)) handed_out_ = {};  // nothing to go on from
       return report;
     }
     if (step == options.max_steps) {

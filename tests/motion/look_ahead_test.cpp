@@ -22,7 +22,7 @@ Problem shaken() {
   Problem scene = spring_cube(3);
   for (int i = 0; i < 8; ++i) {
     scene.system.add<Drag>({{i}}, {{0.25}});
-    scene.system.add<Shaker>({{i}}, {{3.0}});
+    scene.system.add<problems::Shaker>({{i}}, {{3.0}});
   }
   return scene;
 }

@@ -77,8 +77,8 @@ class ToKinks final : public Control {
   double past_kinks() const override { return inner_->past_kinks(); }
   std::unique_ptr<Control> clone() const override { return std::make_unique<ToKinks>(*this); }
 
-  /// Whether the step that was proposed last ends at a kink.
-  bool is_to_kink() const { return is_to_kink_; }
+  /// The particles for whose kinks the step that was proposed last was shortened, ascending; none where it was not.
+  const std::vector<int>& at_kinks() const { return at_kinks_; }
 
   /// The positions at the end of a step: what is known of the kinks holds for a step that begins there.
   void left_at(const Coordinates<double>& position) {
@@ -102,7 +102,7 @@ class ToKinks final : public Control {
   std::vector<bool> fixed_;
   std::vector<double> curve_;    // of the path of each particle [m]
   Coordinates<double> left_at_;  // positions that the kinks know of
-  bool is_to_kink_ = false;
+  std::vector<int> at_kinks_;
 };
 
 template <class Norm>

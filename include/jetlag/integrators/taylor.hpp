@@ -83,9 +83,14 @@ class RandomTaylor final : public Integrator {
   double up_to_change(double h);
   bool end(const State<double>& from, double h, Report& report);
   bool agrees_with_forces(const State<double>& from, double h);
+  bool agrees_but_for_kinks(double h) const;
   StepDefect defect_at_end(const State<double>& from, double h);
+  StepDefect defect_of(const Expansion<double>::Departure& departure, double h) const;
+  void take_departure(double s, int first, int end, Expansion<double>::Departure& departure) const;
   bool is_allowed(const StepDefect& defect) const;
-  Expansion<double>::Departure departure(double s, int first, int end) const;
+  double left_out(const StepDefect& defect) const;
+  double ratio_of_orders(const StepDefect& defect) const;
+  bool add_to_ledger(const State<double>& from, const StepDefect& defect);
   int most_departed(double h) const;
   void sum(const State<double>& from, double h, State<double>& to) const;
   void add_increments(State<double>& state, double s) const;
@@ -105,6 +110,11 @@ class RandomTaylor final : public Integrator {
   double last_step_ = 0, proposed_ = 0;
   int ahead_;  // orders that every step needs
   DefectLedger ledger_;
+  struct Explained {
+    double force = 0, ratio = 1;  // a defect that the terms explain, and its ratio_of_orders
+    int steps = 16;               // ago
+  };
+  Explained explained_;  // in steps that are given
   Work work_;
 };
 

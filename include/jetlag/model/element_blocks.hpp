@@ -332,7 +332,11 @@ void ElementBlocks<T>::find_changes(int orders, const Horizon& horizon, const Fo
       T most = all;
       std::optional<T> first;
       for (const auto& [place, at_zero] : blocks_.program().conditions) {
+        using std::abs;
         for (int k = 0; k < orders; ++k) c[k] = blocks_.at(b, place, k)[lane];
+        T rest(0);
+        for (int k = orders - 1; k > 0; --k) rest = (rest + T(k >= orders - 2 ? 1000 : 1) * abs(c[k])) * most;
+        if (rest < abs(c[0])) continue;  // as in find_change
         find_first_change<T>(c, at_zero, most, first);
       }
       if (most < all || first) found(of_element, most, first.has_value());

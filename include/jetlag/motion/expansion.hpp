@@ -93,6 +93,9 @@ class Expansion {
   /// which then goes on from here. The series that is there can still be read, but it grows no more.
   void look_ahead(const State<T>& state, int order);
 
+  /// Goes on elsewhere: what has been seen ahead is not used, nor counted.
+  void forget_ahead();
+
   /// How the forces ahead depart from those to which the series leads at its sum
   /// sum_{n<=last} w_n x_n s^n, the state ahead. All are largest components, in the unit of time of the series.
   struct Departure {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "jetlag/motion/expansion.hpp"
@@ -38,6 +39,12 @@ void Expansion<T>::look_ahead(const State<T>& state, int order) {
 }
 
 template <class T>
+void Expansion<T>::forget_ahead() {
+  element_coefficients_ -= std::exchange(ahead_.element_coefficients, 0);
+  ahead_.is_known = false;
+}
+
+template <class T>
 void Expansion<T>::swap_ahead() {
   x_.swap(ahead_.x);
   v_.swap(ahead_.v);
@@ -68,7 +75,7 @@ void Expansion<T>::take_departure(int last, const T* w, const T& s, int first, i
   constexpr std::size_t width = 8;
   const std::size_t rows = row_size(), stop = static_cast<std::size_t>(end) * stride_;
   const auto larger = [](const T& a, const T& b) { return a < b ? b : a; };
-  std::array<T, width> force{}, position{}, velocity[2]{}, acceleration[2]{};
+  std::array<T, width> force{}, undefined{}, position{}, velocity[2]{}, acceleration[2]{};
   for (std::size_t begin = static_cast<std::size_t>(first) * stride_; begin < stop; begin += width) {
     const std::size_t size = std::min(width, stop - begin);
     const T *x = x_.data() + begin, *ahead = ahead_.x.data() + begin;
@@ -77,7 +84,9 @@ void Expansion<T>::take_departure(int last, const T* w, const T& s, int first, i
     const auto take = [&](std::size_t i) {
       using std::abs;
       const T before = T(2) * x[2 * rows + i], after = T(2) * ahead[2 * rows + i];
-      force[i] = larger(force[i], abs(T(after - leads_to[i])));
+      const T difference = abs(T(after - leads_to[i]));
+      force[i] = larger(force[i], difference);
+      undefined[i] += difference - difference;
       position[i] = larger(larger(position[i], abs(x[i])), abs(ahead[i]));
       velocity[0][i] = larger(velocity[0][i], abs(x[rows + i]));
       velocity[1][i] = larger(velocity[1][i], abs(ahead[rows + i]));
@@ -91,6 +100,7 @@ void Expansion<T>::take_departure(int last, const T* w, const T& s, int first, i
   }
   for (std::size_t i = 0; i < width; ++i) {
     departure.force = larger(departure.force, force[i]);
+    if (!(undefined[i] == T(0))) departure.force = std::numeric_limits<T>::infinity();
     departure.position = larger(departure.position, position[i]);
     for (int side = 0; side < 2; ++side) {
       departure.velocity[side] = larger(departure.velocity[side], velocity[side][i]);

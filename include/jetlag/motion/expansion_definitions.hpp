@@ -83,6 +83,7 @@ void Expansion<T>::move_to(const Model<T>& model) {
     if (before.laws()[l] != model.laws()[l]) take(model.law(l), laws_[l]);
   arrange();
   order_ = 1;
+  forget_ahead();
 }
 
 template <class T>

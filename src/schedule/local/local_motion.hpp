@@ -191,6 +191,7 @@ class LocalMotion {
   std::vector<int> former_degree_;
   std::vector<double> former_natural_, former_series_;
   std::uint64_t groups_ = 0, partial_coefficients_ = 0;
+  std::uint64_t at_ends_ = 0;  // of looks at the ends of runs, however often they are stopped: not counted
   Work work_;
 };
 

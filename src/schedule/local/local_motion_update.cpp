@@ -47,7 +47,8 @@ bool LocalMotion::finite_series(const double* c, int particle, Count now, Report
 ///     2^16 eps max(|x|, s |v|, s^2 |a|) + 4 N (N+1) tolerance + 16 sum_{n>m} n (n-1) w_n |x_n| s^n
 ///   + 8 eps |t/s| sum_{n>2} n (n-1) (n-2) |x_n| s^n
 ///
-/// as in integrators/step_check.hpp, and four times as much of the tolerance, by which neighbours may depart from their series. A
+/// much as in integrators/step_check.hpp, |.| at the beginning of the series, but with no limit by the motion of the particle,
+/// which others may set in motion, and four times as much of the tolerance, by which neighbours may depart from their series. A
 /// step that ends beyond a kink or the change of a choice is not looked at.
 bool LocalMotion::agrees(int particle, double time, double s, const double* c_2, Report& report) const {
   if (updates_[particle] == 0 || !(s > 0) || in_doubt(particle)) return true;
@@ -99,7 +100,7 @@ void LocalMotion::count(std::size_t updated) {
   ++work_.steps;
   work_.updates += updated;
   work_.coefficients += static_cast<std::uint64_t>(order_ - 1) * updated;
-  work_.element_coefficients = all_.element_coefficients() + partial_coefficients_;
+  work_.element_coefficients = all_.element_coefficients() - at_ends_ + partial_coefficients_;
 }
 
 bool LocalMotion::update(PartialExpansion& group, Count now, Report& report) {
@@ -182,8 +183,10 @@ bool LocalMotion::update_all(Count now, Report& report) {
 
 bool LocalMotion::agree_at(double time, Report& report) {
   if (std::ranges::all_of(moving_, [&](int i) { return !(ticks_.since(begin_[i], time) > 0); })) return true;
+  const std::uint64_t before = all_.element_coefficients();
   all_.start(at(time));
   all_.grow_to(2);
+  at_ends_ += all_.element_coefficients() - before;
   if (!all_.position(2).allFinite()) return true;  // said by whoever goes on from there
   return std::ranges::all_of(moving_, [&](int i) {
     return agrees(i, time, ticks_.since(begin_[i], time), all_.position(2).row(i).data(), report);
