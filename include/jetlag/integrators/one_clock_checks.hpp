@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Whether a step of y' = f agrees with f at its end: definitions of one_clock_taylor.hpp, which includes them.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "jetlag/base/text.hpp"
+#include "jetlag/integrators/one_clock_taylor.hpp"
+
+namespace jetlag {
+
+/// Whether the end of the step agrees with f there, after halving it where it does not. False where no step does.
+template <class Method, class Series, class State, class Options>
+bool OneClockTaylor<Method, Series, State, Options>::agrees_with_f(const T& time, T& h)
+  requires knows_f
+{
+  const double eps = static_cast<double>(std::numeric_limits<T>::epsilon());
+  const int degree = options_.degree;
+  const bool singular = known_ < series_.top();
+  const double allowed =
+      singular ? 8 * eps : std::max(0x1p16 * eps, 16 * degree * std::exp(-2.0 * (degree - 1)));
+  double unseen = 0;  // from a singular point at which nothing moves: what is nothing beside a long step
+  const auto agrees = [&](const T& length) {
+    const auto [defect, size] = self().defect(next_, length);
+    if (singular && unseen == 0 && std::isfinite(size)) unseen = 0x1p-80 * size;
+    const double bound = std::max(allowed * size, unseen);
+    return !(defect > bound && defect > bound + 8 * self().rounding_of_time(length));
+  };
+  if (changes_.is_to_change()) {  // at its end f has gone another way: a little before
+    const T before = h * T(1 - 0x1p-20);
+    if (changes_.is_instant() || T(time + before) == T(time + h)) return true;
+    self().sum(begin_, before, next_);
+    const bool right = agrees(before);
+    if (!right) h = before;
+    self().sum(begin_, h, next_);
+    if (right) return true;
+  }
+  while (!agrees(h)) {
+    ++work_.rejected;
+    h = h / T(2);
+    if (T(time + h) == time) return false;
+    self().sum(begin_, h, next_);
+  }
+  return true;
+}
+
+/// Whether the series at the end of a step from a singular point is whole again, or the motion rests there and would come
+/// back: as y = 0 of y' = -sqrt(y), and not that of y' = sqrt(y), from which it may depart at any time.
+template <class Method, class Series, class State, class Options>
+bool OneClockTaylor<Method, Series, State, Options>::leads_on(const T& h)
+  requires knows_f
+{
+  State end = next_;
+  end.time = T(begin_.time + h);
+  self().start(end, h < T(0));
+  series_.grow_to(self().orders_read());
+  const bool whole = self().known_orders() >= series_.series().order() || self().rests();
+  self().start(begin_, h < T(0));
+  series_.grow_to(self().orders_read());
+  return whole;
+}
+
+/// Just beyond the change of a choice f has gone another way: a little before.
+template <class Method, class Series, class State, class Options>
+void OneClockTaylor<Method, Series, State, Options>::add_defect(const T& h)
+  requires knows_f
+{
+  const T at = changes_.is_to_change() ? T(h * T(1 - 0x1p-20)) : h;
+  if (at != h) self().sum(begin_, at, next_);
+  const auto [defect, size] = self().defect(next_, at);
+  if (at != h) self().sum(begin_, h, next_);
+  self().take_extent(begin_);
+  self().take_extent(next_);
+  const double beyond = defect - 64 * static_cast<double>(std::numeric_limits<T>::epsilon()) * size;
+  if (!(beyond > 0) || !std::isfinite(size)) return;
+  departure_ += beyond;
+  if (!(beyond > largest_defect_)) return;
+  largest_defect_ = beyond;
+  largest_at_ = T(begin_.time + h);
+}
+
+template <class Method, class Series, class State, class Options>
+std::string OneClockTaylor<Method, Series, State, Options>::warning() const {
+  if constexpr (knows_f) {
+    if (departure_ > 1e-3 * self().extent())
+      return "the steps are given and cannot be shortened, but f at their ends contradicts the series from "
+             "their "
+             "beginnings, most of all at t = " +
+             shown(largest_at_) + ": y may be off by " + shown(departure_) + " in an extent of " +
+             shown(self().extent()) + "; take shorter steps, a higher degree or steps that are chosen";
+  }
+  return {};
+}
+
+}  // namespace jetlag
