@@ -17,8 +17,7 @@ std::string DefectLedger::warning() const {
   const double extent = (high_ - low_).maxCoeff();
   if (!(position_ > 1e-3 * extent)) return {};
   return "the steps are given and cannot be shortened, but the forces at their ends contradict the series "
-         "from their "
-         "beginnings, most of all at t = " +
+         "from their beginnings, most of all at t = " +
          shown(time_) + " at particle " + std::to_string(particle_) + ": positions may be off by " +
          shown(position_) + " m in an extent of " + shown(extent) +
          " m; take shorter steps, a higher degree or a control that chooses them";

@@ -247,7 +247,7 @@ bool RandomTaylor::is_allowed(const StepDefect& defect) const {
                             control_.is_given(), weight, expansion().order(), size);
 }
 
-// ---- the end -----------------------------------------------------------------------------------------------
+// ---- the step and its sums ---------------------------------------------------------------------------------
 
 /// The step h, or up to the first change of a choice in a force, as far as the control reads the series: that does not depend on
 /// the degree that is drawn.

@@ -94,6 +94,48 @@ TEST(LookAhead, IsForgottenByAStartFromElsewhere) {
   EXPECT_EQ(series.order(), 1);
 }
 
+TEST(LookAhead, IsNeitherUsedNorCountedAfterItIsForgotten) {
+  const Problem scene = shaken();
+  const State<double> next = moved(scene.start, 0.01);
+  Expansion<double> series(scene.system);
+  series.start(scene.start);
+  series.grow_to(8);
+  const std::size_t before = series.element_coefficients();
+  series.look_ahead(next, 3);
+  series.forget_ahead();
+  series.start(next);
+  EXPECT_EQ(series.order(), 1);
+  EXPECT_EQ(series.element_coefficients(), before);
+}
+
+TEST(LookAhead, IsForgottenByAnotherEpoch) {  // without its one spring nobody is pulled
+  const Problem scene = dumbbell(1.0, 1.0, 1.0);
+  State<double> next = scene.start;
+  next.position *= 1.5;
+  const Model<double> bound(scene.system), free = bound.with(0, {}, {});
+  Expansion<double> series(bound);
+  series.start(scene.start);
+  series.look_ahead(next, 3);
+  series.move_to(free);
+  series.start(next);
+  series.grow_to(3);
+  EXPECT_TRUE(series.position(2).isZero(0.0));
+}
+
+TEST(LookAhead, DepartsWithoutEndWhereTheForceIsNone) {  // the ends of a spring in one place
+  const Problem scene = dumbbell(1.0, 1.0, 1.0);
+  State<double> meeting = scene.start;
+  meeting.position.setZero();
+  const std::vector<double> ones(3, 1.0);
+  Expansion<double> series(scene.system);
+  series.start(scene.start);
+  series.grow_to(3);
+  series.look_ahead(meeting, 2);
+  Expansion<double>::Departure departure;
+  series.take_departure(2, ones.data(), 0.1, 0, 2, departure);
+  EXPECT_EQ(departure.force, std::numeric_limits<double>::infinity());
+}
+
 TEST(LookAhead,
      IsWorkOfTheNextStart) {  // elements x orders, as if the series had been started one after the other
   const Problem scene = shaken();

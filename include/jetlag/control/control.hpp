@@ -3,7 +3,8 @@
 // Step control: how far to go, from the series of the motion at the beginning of the step.
 //
 // Coefficients rescale under h -> a h as c_n h^n -> a^n c_n h^n, so a control can solve for the step before it is
-// taken: none is rejected but where the forces at its end are not those of the series (integrators/step_check.hpp). Invariants, tested for every member that is not `fixed`:
+// taken: none is rejected but where the forces at its end are not those of the series (integrators/step_check.hpp).
+// Invariants, tested for every member that is not `fixed`:
 //   - time t -> lambda t gives h -> h / lambda;
 //   - h does not grow as the tolerance shrinks;
 //   - a series that ends (free fall, rest) gives the largest step allowed, never infinity or NaN.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Whether a step of Taylor's method agrees with the forces at its end. The next step begins with these: they cost nothing.
+// Whether a step of Taylor's method agrees with the forces at its end. The next step begins with these, so that they are computed
+// once; what it costs to compare them: BM_Check in bench/checks.cpp.
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +24,7 @@ struct StepDefect {
   double ended = 0;     // the same at the end
 };
 
-/// How large the defect d of a step that is chosen may be:
+/// Whether the defect d of a step is no larger than
 ///
 ///     2^16 eps max(|x| (h / h_0)^2, h |v|, h^2 |a|)            forces at rounded positions; |.|: at both ends
 ///   + 16 N e^(-2(N-1)) max(h |v|, h^2 |a|)                     what the step of Jorba and Zou leaves out; N: the largest degree;
@@ -39,8 +40,8 @@ struct StepDefect {
 ///   + 8 eps |t/h| sum_{n>2} n (n-1) (n-2) |x_n| h^n            what the rounding of a late time makes of forces
 ///
 /// over the terms that are known. Of a step that is chosen for a random degree the sum over n > m has no such limit: what is
-/// rejected for a draw would bias the series. h_0: the step that was tried first, so that a jump of the force does not become allowed by
-/// halving the step.
+/// rejected for a draw would bias the series. h_0: the step that was tried first, so that a jump of the force does not become
+/// allowed by halving the step.
 /// size(n) = |x_n| h^n [m], n <= order; weight(n) = max(1, w_n).
 template <class Weight, class Size>
 bool is_allowed(const StepDefect& defect, const TruncationLaw& law, double tolerance, bool is_given,
@@ -75,8 +76,6 @@ class DefectLedger {
     particle_ = who();
   }
 
-  /// g_x [m].
-  double departure() const { return position_; }
   /// Where g_x is more than a thousandth of the extent of the positions so far: which steps, and where it was largest. Empty
   /// otherwise.
   std::string warning() const;

@@ -3,6 +3,7 @@
 // How an expansion grows: the definitions of expansion.hpp, which includes them. What runs for every particle is inline.
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <functional>

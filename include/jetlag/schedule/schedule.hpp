@@ -79,7 +79,8 @@ class Schedule {
   virtual ~Schedule() = default;
 
   /// Moves the state to time `until` exactly; in lockstep that may be infinity, where a terminal event, max_steps or
-  /// after_step ends the run. On any outcome but success the state is the last good one.
+  /// after_step ends the run. On any outcome but success the state is the last good one; on `contradicted` the one that the
+  /// forces contradict.
   /// Throws std::invalid_argument for a time before that of the state, and for infinity where nothing ends the run.
   virtual Report run(State<double>& state, double until, const RunOptions& options) = 0;
 

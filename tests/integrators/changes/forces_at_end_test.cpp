@@ -91,7 +91,8 @@ TEST(ForcesAtTheEnd, FindAJumpOfWhichTheTapeKnowsNothing) {
       State<> state = scene.start;
       Lockstep schedule(taylor(scene.system, degree, control()));
       EXPECT_EQ(schedule.run(state, t_end, RunOptions{}).outcome, Outcome::success) << name;
-      // 16 N e^(-2(N-1)) is .004 for the step of Jorba and Zou of degree 6
+      // 16 N e^(-2(N-1)) is .004 for the step of Jorba and Zou of degree 6: v may be off by that part of 4.9,
+      // and x by as much in 1.9 s
       const double allowed = degree == 6 && std::string(name) == "jorba_zou" ? 0.1 : 1e-9;
       EXPECT_NEAR(state.position(0, 0), x_end, allowed) << name;
       EXPECT_NEAR(state.velocity(0, 0), v_end, allowed) << name;
