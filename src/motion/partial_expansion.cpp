@@ -6,21 +6,12 @@
 #include <cassert>
 #include <cstring>
 
+#include "base/wide.hpp"
 #include "jetlag/motion/accelerate.hpp"
 
 namespace jetlag {
 
 namespace {
-
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__) && \
-    !defined(__SANITIZE_THREAD__)
-#define JETLAG_WIDE [[gnu::target_clones("avx512f", "avx2", "default")]]  // the same bits from all of them
-#else
-#define JETLAG_WIDE
-#endif
-
-/// Eight numbers side by side, whatever the instruction set.
-using Eight [[gnu::vector_size(64)]] = double;
 
 /// Passes first .. first + passes - 1 of taylor_shift (series/calculus/polynomial.hpp),
 ///

@@ -15,6 +15,7 @@
 
 #include "jetlag/model/system.hpp"
 #include "jetlag/series/calculus/first_change.hpp"
+#include "jetlag/series/calculus/row_sums.hpp"
 #include "jetlag/tape/program.hpp"
 
 namespace jetlag {
@@ -301,19 +302,16 @@ inline void ElementBlocks<T>::collect(int particle, int k, int orders, T* force,
 template <class T>
 void ElementBlocks<T>::find_change(int orders, T& most, std::optional<T>& first) {
   using std::abs;
-  std::vector<T> rest(blocks_.lanes()), c(orders);
+  std::vector<T> c(orders);
   for (std::size_t b = 0; b < blocks_.blocks(); ++b)
     for (const auto& [place, at_zero] : blocks_.program().conditions) {
-      std::ranges::fill(rest, T(0));
-      for (int k = orders - 1; k > 0; --k) {
-        const T* of_order = blocks_.at(b, place, k);
-        const T weight = T(k >= orders - 2 ? 1000 : 1);
-        for (std::size_t lane = 0; lane < rest.size(); ++lane)
-          rest[lane] = (rest[lane] + weight * abs(of_order[lane])) * most;
-      }
-      for (int lane = 0; lane < blocks_.active(b); ++lane) {
-        if (rest[lane] < abs(blocks_.at(b, place, 0)[lane])) continue;
-        for (int k = 0; k < orders; ++k) c[k] = blocks_.at(b, place, k)[lane];
+      const T* series = blocks_.at(b, place, 0);
+      const std::size_t next_order = orders > 1 ? blocks_.at(b, place, 1) - series : 0,
+                        active = blocks_.active(b);
+      if (detail::outweighs_rest(series, next_order, active, orders - 1, most)) continue;
+      for (std::size_t lane = 0; lane < active; ++lane) {
+        if (detail::outweighs_rest(series + lane, next_order, 1, orders - 1, most)) continue;
+        for (int k = 0; k < orders; ++k) c[k] = series[k * next_order + lane];
         find_first_change<T>(c, at_zero, most, first);
       }
     }
@@ -332,11 +330,8 @@ void ElementBlocks<T>::find_changes(int orders, const Horizon& horizon, const Fo
       T most = all;
       std::optional<T> first;
       for (const auto& [place, at_zero] : blocks_.program().conditions) {
-        using std::abs;
         for (int k = 0; k < orders; ++k) c[k] = blocks_.at(b, place, k)[lane];
-        T rest(0);
-        for (int k = orders - 1; k > 0; --k) rest = (rest + T(k >= orders - 2 ? 1000 : 1) * abs(c[k])) * most;
-        if (rest < abs(c[0])) continue;  // as in find_change
+        if (detail::outweighs_rest(c.data(), 1, 1, orders - 1, most)) continue;
         find_first_change<T>(c, at_zero, most, first);
       }
       if (most < all || first) found(of_element, most, first.has_value());

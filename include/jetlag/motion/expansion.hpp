@@ -30,6 +30,7 @@
 #include "jetlag/motion/accelerate.hpp"
 #include "jetlag/motion/coefficient_view.hpp"
 #include "jetlag/motion/wavefront.hpp"
+#include "jetlag/series/calculus/row_sums.hpp"
 
 namespace jetlag {
 
@@ -98,12 +99,7 @@ class Expansion {
 
   /// How the forces ahead depart from those to which the series leads at its sum
   /// sum_{n<=last} w_n x_n s^n, the state ahead. All are largest components, in the unit of time of the series.
-  struct Departure {
-    T force{0};           // u^2 |a - sum_{n=2..last} n (n-1) w_n x_n s^(n-2)| [m]
-    T position{0};        // |x| on both sides [m]
-    T velocity[2]{};      // u |v| at the beginning and ahead [m]
-    T acceleration[2]{};  // u^2 |a| there [m]
-  };
+  using Departure = RowDeparture<T>;
   /// w: weights of the terms 0 .. last of the positions. Of the particles from first to before end.
   void take_departure(int last, const T* w, const T& s, int first, int end, Departure& departure) const;
 

@@ -31,24 +31,6 @@ void for_components(int rows, int dimension, const F& f) {
   all(std::integral_constant<int, 1>{});
 }
 
-/// sum_{n=first..last} w(n) c_n s^(n-first), by Horner's rule, of up to eight numbers beside each other; those of order n
-/// begin at c + n rows.
-template <class T, class Weight>
-std::array<T, 8> sums_of_eight(const T* c, std::size_t rows, std::size_t lanes, int first, int last,
-                               const Weight& w, const T& s) {
-  const auto of = [=](auto count) {
-    std::array<T, 8> total{};
-    for (int n = last; n >= first; --n) {
-      const T weight = w(n);
-      for (std::size_t i = 0; i < count; ++i) total[i] = total[i] * s + weight * c[n * rows + i];
-    }
-    return total;
-  };
-  if (lanes == 8) return of(std::integral_constant<std::size_t, 8>{});  // unrolled
-  if (lanes == 4) return of(std::integral_constant<std::size_t, 4>{});
-  return of(lanes);
-}
-
 }  // namespace detail
 
 template <class T>
@@ -223,17 +205,16 @@ T Expansion<T>::norm(const AlignedVector<T>& series, int k) const {
 template <class T>
 void Expansion<T>::sum(const AlignedVector<T>& series, int first, int last, const T* w, const T& s,
                        Coordinates<T>& into) const {
-  constexpr std::size_t width = 8;
+  constexpr std::size_t width = 64;
   into.resize(particles_, dimension_);
   const std::size_t rows = row_size();
-  const int log_stride = std::bit_width(static_cast<unsigned>(stride_)) - 1;  // 1, 2 or 4
+  std::array<T, width> total;
   for (std::size_t begin = 0; begin < rows; begin += width) {
-    const std::size_t size = std::min(width, rows - begin);
-    const auto total =
-        detail::sums_of_eight(series.data() + begin, rows, size, first, last, [w](int n) { return w[n]; }, s);
-    for (std::size_t i = 0; i < size; ++i)
-      if (const std::size_t component = i & (stride_ - 1); component < static_cast<std::size_t>(dimension_))
-        into.data()[((begin + i) >> log_stride) * dimension_ + component] = total[i];
+    const std::size_t size = std::min(width, rows - begin), row = begin / stride_;
+    detail::sum_rows(series.data() + begin, rows, size, first, last, w, s, total.data());
+    detail::for_components(static_cast<int>(size / stride_), dimension_,
+                           [=, &total, to = into.data(), d = dimension_, stride = stride_](
+                               std::size_t i, int c) { to[(row + i) * d + c] = total[i * stride + c]; });
   }
 }
 
