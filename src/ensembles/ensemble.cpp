@@ -10,6 +10,8 @@
 #include "ensembles/system_lanes.hpp"
 #include "jetlag/control/jorba_zou.hpp"
 #include "jetlag/integrators/integrator.hpp"
+#include "jetlag/integrators/taylor.hpp"
+#include "jetlag/series/calculus/row_sums.hpp"
 
 namespace jetlag {
 
@@ -28,7 +30,14 @@ struct Ensemble::Workspace {
         log_step(table.lanes),
         least(table.lanes),
         most(table.lanes),
-        regular(table.lanes) {
+        regular(table.lanes),
+        before(2 * static_cast<std::size_t>(components) * table.lanes),
+        time_before(table.lanes),
+        leads_to(static_cast<std::size_t>(components) * table.lanes),
+        allowed(table.lanes),
+        departure(table.lanes),
+        moves(table.lanes, 0),
+        unseen(table.lanes, 0) {
     blocks.reserve(degree + 2);
   }
 
@@ -37,7 +46,14 @@ struct Ensemble::Workspace {
   AlignedVector<double> norms, logs;  // [kind][order][lane], [order][lane]
   AlignedVector<double> next;         // the state after the step
   AlignedVector<double> step, not_finite, best, log_step, least, most;
-  std::vector<char> regular;  // whether the norms of a lane are normal numbers
+  std::vector<char> regular;                  // whether the norms of a lane are normal numbers
+  AlignedVector<double> before, time_before;  // the state before the step
+  AlignedVector<double> leads_to;             // x'' to which the series of the step leads
+  AlignedVector<double> allowed,
+      departure;             // how far it may depart from the accelerations there, how far it does [m/s^2]
+  std::vector<char> moves;   // whether a lane takes a step with the others
+  std::vector<char> unseen;  // whether that is not known yet
+  std::unique_ptr<RandomTaylor> alone;  // for steps that a lane does not take with the others
 };
 
 struct Ensemble::Workspaces : Pool<Workspace> {};
@@ -45,6 +61,7 @@ struct Ensemble::Workspaces : Pool<Workspace> {};
 Ensemble::Ensemble(const System<double>& system, int degree, const std::vector<State<double>>& states,
                    double max_step, Workers workers, const KernelTable<double>& table)
     : system_(std::make_shared<SystemLanes>(system)),
+      alone_(std::make_shared<System<double>>(system)),
       degree_(degree),
       count_(states.size()),
       max_step_(max_step),
@@ -52,7 +69,9 @@ Ensemble::Ensemble(const System<double>& system, int degree, const std::vector<S
       workspaces_(std::make_shared<Workspaces>()),
       table_(&table),
       outcome_(count_, Outcome::success),
-      steps_(count_, 0) {
+      steps_(count_, 0),
+      lone_steps_(count_, 0),
+      changes_(count_) {
   if (degree < 1) throw std::invalid_argument("Ensemble: degree must be >= 1, got " + std::to_string(degree));
   require_positive("Ensemble: max_step", max_step, true);
   for (const Elements<double>& elements : system.elements())
@@ -155,61 +174,158 @@ void Ensemble::choose_steps(Workspace& work) const {
   }
 }
 
-void Ensemble::advance(std::size_t block, double until, Workspace& work) {
+void Ensemble::load(std::size_t block, Workspace& work) const {
+  const std::size_t lanes = table_->lanes, first = block * system_->components * lanes;
+  for (int c = 0; c < system_->components; ++c) {
+    double* x = work.blocks.at(0, system_->series[c], 0);
+    std::copy_n(&position_[first + c * lanes], lanes, x);
+    std::copy_n(&velocity_[first + c * lanes], lanes, work.blocks.at(0, system_->series[c], 1));
+  }
+}
+
+/// A step of one trajectory, from its state.
+void Ensemble::step_alone(std::size_t block, int lane, double until, Workspace& work) {
+  const std::size_t i = block * table_->lanes + lane;
+  if (!work.alone)
+    work.alone = std::make_unique<RandomTaylor>(
+        *alone_, fixed_degree(degree_), std::make_unique<JorbaZou>(max_step_), RandomTaylor::Options{});
+  RandomTaylor::Member member;
+  member.control = std::make_unique<JorbaZou>(max_step_);
+  member.changes = changes_[i];
+  State<double> now = state(i);
+  Report report;
+  const double limit = until - now.time;
+  work.alone->exchange(member);
+  const double h = work.alone->step(now, limit, report);
+  work.alone->exchange(member);
+  changes_[i] = member.changes;
+  outcome_[i] = report.outcome;
+  if (report.outcome != Outcome::success) return;
+  time_[i] = h == limit ? until : now.time + h;
+  ++steps_[i];
+  ++lone_steps_[i];
+  for (int c = 0; c < system_->components; ++c) {
+    const std::size_t at = (block * system_->components + c) * table_->lanes + lane;
+    position_[at] = now.position.data()[c];
+    velocity_[at] = now.velocity.data()[c];
+  }
+}
+
+/// Whether all forces at the ends of steps are those to which their series lead; trajectories for which they are not go back and
+/// take the step by themselves.
+bool Ensemble::check_ends(std::size_t block, double until, Workspace& work) {
   const int lanes = table_->lanes;
-  const std::size_t first = block * lanes;
+  std::ranges::fill(work.departure, 0.0);
+  std::ranges::fill(work.not_finite, 0.0);
+  for (int c = 0; c < system_->components; ++c)
+    if (system_->inverse_mass[c] != 0.0)
+      work.lanes.depart(lanes, work.blocks.at(0, system_->series[c], 2), &work.leads_to[c * lanes],
+                        work.departure.data(), work.not_finite.data());
+  bool all = true;
+  for (int lane = 0; lane < lanes; ++lane) {
+    if (!work.unseen[lane]) continue;
+    work.unseen[lane] = 0;
+    if (work.departure[lane] <= work.allowed[lane] && !std::isnan(work.not_finite[lane])) continue;
+    all = false;
+    const std::size_t i = block * lanes + lane;
+    time_[i] = work.time_before[lane];
+    --steps_[i];
+    for (int c = 0; c < system_->components; ++c) {
+      const std::size_t at = (block * system_->components + c) * lanes + lane;
+      position_[at] = work.before[c * lanes + lane];
+      velocity_[at] = work.before[(system_->components + c) * lanes + lane];
+    }
+    step_alone(block, lane, until, work);
+  }
+  return all;
+}
+
+/// Trajectories that are to move and for which a choice may change in their step take it by themselves.
+void Ensemble::find_choices(std::size_t block, double until, Workspace& work) {
+  const int lanes = table_->lanes;
+  for (const auto& [place, at_zero] : system_->program.conditions) {
+    const double* c = work.blocks.at(0, place, 0);
+    for (int lane = 0; lane < lanes; ++lane) {
+      if (!work.moves[lane] || detail::outweighs_rest(c + lane, lanes, 1, degree_ - 1, work.step[lane]))
+        continue;
+      work.moves[lane] = 0;
+      step_alone(block, lane, until, work);
+    }
+  }
+}
+
+void Ensemble::advance(std::size_t block, double until, Workspace& work) {
+  const int lanes = table_->lanes, top = degree_ + 1, seen = std::min(3, top);
+  const std::size_t first = block * lanes, components = system_->components;
   const int active = static_cast<int>(std::min<std::size_t>(lanes, count_ - first));
   double *position = rows(position_, block), *velocity = rows(velocity_, block), *time = &time_[first];
-  double *next_position = work.next.data(),
-         *next_velocity = next_position + static_cast<std::size_t>(system_->components) * lanes;
-  const auto goes_on = [&](int i) { return outcome_[first + i] == Outcome::success && time[i] < until; };
-  std::vector<char> moves(lanes, 0);
+  double *next_position = work.next.data(), *next_velocity = next_position + components * lanes;
+  const double of_degree = 16 * degree_ * std::exp(-2.0 * (degree_ - 1));
+  constexpr double rounding = 0x1p16 * std::numeric_limits<double>::epsilon();
+  std::ranges::fill(work.unseen, 0);
   for (;;) {
-    bool any = false;
-    for (int i = 0; i < active; ++i) any |= moves[i] = goes_on(i);
-    if (!any) return;
-    for (int c = 0; c < system_->components; ++c) {
-      std::copy_n(position + c * lanes, lanes, work.blocks.at(0, system_->series[c], 0));
-      std::copy_n(velocity + c * lanes, lanes, work.blocks.at(0, system_->series[c], 1));
+    bool any = false, any_unseen = false;
+    for (int i = 0; i < active; ++i) {
+      any |= work.moves[i] = outcome_[first + i] == Outcome::success && time[i] < until;
+      any_unseen |= work.unseen[i] != 0;
     }
-    system_->grow(work.blocks, work.lanes, time, degree_ + 1);
+    if (!any && !any_unseen) return;
+    load(block, work);
+    system_->grow(work.blocks, work.lanes, time, seen);
+    if (any_unseen && !check_ends(block, until, work)) continue;
+    if (!any) return;
+    system_->grow(work.blocks, work.lanes, time, top, 1, seen);
     choose_steps(work);
     for (int i = 0; i < active; ++i) {
-      if (!moves[i]) continue;
+      if (!work.moves[i]) continue;
       const double h = cropped(work.step[i], until - time[i]);
       if (std::isnan(work.not_finite[i]))
         outcome_[first + i] = Outcome::non_finite;
       else if (!advances(time[i], h))
         outcome_[first + i] = Outcome::step_underflow;
+      work.moves[i] = outcome_[first + i] == Outcome::success;
       work.step[i] = h;
     }
-    for (int c = 0; c < system_->components; ++c) {  // v_k = (k+1) x_{k+1}
+    find_choices(block, until, work);
+    for (std::size_t c = 0; c < components; ++c) {  // v_k = (k+1) x_{k+1}
       if (system_->inverse_mass[c] == 0.0) continue;
       const double* x = work.blocks.at(0, system_->series[c], 0);
       work.lanes.horner(lanes, degree_, x, work.step.data(), next_position + c * lanes,
-                        next_velocity + c * lanes);
+                        next_velocity + c * lanes, &work.leads_to[c * lanes]);
     }
     std::ranges::fill(work.not_finite, 0.0);
     std::ranges::fill(work.best, 0.0);
-    for (int c = 0; c < system_->components; ++c)
+    for (std::size_t c = 0; c < components; ++c)
       if (system_->inverse_mass[c] != 0.0)
         for (const double* next : {next_position, next_velocity})
           work.lanes.largest(lanes, next + c * lanes, work.best.data(), work.not_finite.data());
     bool all = active == lanes;
     for (int i = 0; i < active; ++i) {
-      if (moves[i] && std::isnan(work.not_finite[i])) outcome_[first + i] = Outcome::non_finite;
-      moves[i] = moves[i] && outcome_[first + i] == Outcome::success;
-      all &= moves[i] != 0;
-      if (!moves[i]) continue;
-      time[i] = work.step[i] == until - time[i] ? until : time[i] + work.step[i];
+      if (work.moves[i] && std::isnan(work.not_finite[i])) {
+        outcome_[first + i] = Outcome::non_finite;
+        work.moves[i] = 0;
+      }
+      all &= work.moves[i] != 0;
+      if (!work.moves[i]) continue;
+      const double h = work.step[i];
+      work.time_before[i] = time[i];
+      time[i] = h == until - time[i] ? until : time[i] + h;
       ++steps_[first + i];
+      changes_[first + i].take_none();
+      work.unseen[i] = 1;
+      const auto norm = [&](int kind, int k) { return work.norms[(kind * (degree_ + 1) + k) * lanes + i]; };
+      const double motion = std::max(norm(1, 0) / h, norm(1, 1));  // |v| / h, |a|
+      work.allowed[i] = rounding * std::max(norm(0, 0) / (h * h), motion) + of_degree * motion;
     }
-    for (int c = 0; c < system_->components; ++c) {
+    for (std::size_t c = 0; c < components; ++c) {
       if (system_->inverse_mass[c] == 0.0) continue;
       for (int i = 0; i < lanes; ++i) {
-        if (!all && !moves[i]) continue;
-        position[c * lanes + i] = next_position[c * lanes + i];
-        velocity[c * lanes + i] = next_velocity[c * lanes + i];
+        if (!all && !work.moves[i]) continue;
+        const std::size_t at = c * lanes + i;
+        work.before[at] = position[at];
+        work.before[components * lanes + at] = velocity[at];
+        position[at] = next_position[at];
+        velocity[at] = next_velocity[at];
       }
     }
   }

@@ -24,8 +24,12 @@ struct EnsembleLanes {
   void (*multiply)(int lanes, double factor, double* by);
   /// most = max(most, |from|);   not_finite += 0 from, NaN where a number was not finite.
   void (*largest)(int lanes, const double* from, double* most, double* not_finite);
-  /// sum_{n=0..last} x_n h^n   and   sum_{n=0..last} (n+1) x_{n+1} h^n,   x_n at the distance lanes.
-  void (*horner)(int lanes, int last, const double* x, const double* h, double* position, double* velocity);
+  /// sum_{n=0..last} x_n h^n,   sum_{n=0..last} (n+1) x_{n+1} h^n   and   sum_{n=2..last} n (n-1) x_n h^(n-2),   x_n at the
+  /// distance lanes.
+  void (*horner)(int lanes, int last, const double* x, const double* h, double* position, double* velocity,
+                 double* acceleration);
+  /// most = max(most, |2 x - y|);   not_finite as for `largest`.
+  void (*depart)(int lanes, const double* x, const double* y, double* most, double* not_finite);
   /// sum_{n=0..last} w_n x_n h^n   and, `of_velocity`,   sum_{n=0..last} (n+1) w_n x_{n+1} h^n;   w_n and x_n at the
   /// distance lanes. A term of weight 0 is left out, finite or not.
   void (*weighted)(int lanes, bool of_velocity, int last, const double* x, const double* w, double h,
@@ -88,8 +92,9 @@ inline void largest(int lanes, const double* __restrict from, double* __restrict
 
 /// n packs at a time, enough chains of additions to hide their latency.
 template <class Pack, int n>
-void horner_of(int last, int stride, const double* x, const double* h, double* position, double* velocity) {
-  Pack step[n], p[n], v[n];
+void horner_of(int last, int stride, const double* x, const double* h, double* position, double* velocity,
+               double* acceleration) {
+  Pack step[n], p[n], v[n], a[n];
   const auto load = [](const double* from) {
     Pack pack;
     __builtin_memcpy(&pack, from, sizeof(Pack));
@@ -100,12 +105,14 @@ void horner_of(int last, int stride, const double* x, const double* h, double* p
     step[i] = load(h + i * width);
     p[i] = load(x + last * stride + i * width);
     v[i] = (last + 1.0) * load(x + (last + 1) * stride + i * width);
+    a[i] = Pack{};
   }
   double rank = last;
   Pack newest[n];
   for (int i = 0; i < n; ++i) newest[i] = p[i];
   for (int k = last - 1; k >= 0; --k, rank -= 1.0)
     for (int i = 0; i < n; ++i) {
+      if (k > 0) a[i] = a[i] * step[i] + (rank * (rank - 1.0)) * newest[i];
       v[i] = v[i] * step[i] + rank * newest[i];
       newest[i] = load(x + k * stride + i * width);
       p[i] = p[i] * step[i] + newest[i];
@@ -113,24 +120,35 @@ void horner_of(int last, int stride, const double* x, const double* h, double* p
   for (int i = 0; i < n; ++i) {
     __builtin_memcpy(position + i * width, &p[i], sizeof(Pack));
     __builtin_memcpy(velocity + i * width, &v[i], sizeof(Pack));
+    __builtin_memcpy(acceleration + i * width, &a[i], sizeof(Pack));
   }
 }
 
-inline void horner(int lanes, int last, const double* x, const double* h, double* position,
-                   double* velocity) {
+inline void horner(int lanes, int last, const double* x, const double* h, double* position, double* velocity,
+                   double* acceleration) {
   if (lanes % 16 == 0) {
     typedef double Pack __attribute__((vector_size(JETLAG_PACK)));
     constexpr int n = 4, width = n * JETLAG_PACK / 8;
     static_assert(16 % width == 0 || width == 32);
     if (lanes % width == 0)
       for (int i = 0; i < lanes; i += width)
-        horner_of<Pack, n>(last, lanes, x + i, h + i, position + i, velocity + i);
+        horner_of<Pack, n>(last, lanes, x + i, h + i, position + i, velocity + i, acceleration + i);
     else
       for (int i = 0; i < lanes; i += 16)
-        horner_of<Pack, 16 * 8 / JETLAG_PACK>(last, lanes, x + i, h + i, position + i, velocity + i);
+        horner_of<Pack, 16 * 8 / JETLAG_PACK>(last, lanes, x + i, h + i, position + i, velocity + i,
+                                              acceleration + i);
   } else {
     for (int i = 0; i < lanes; ++i)
-      horner_of<double, 1>(last, lanes, x + i, h + i, position + i, velocity + i);
+      horner_of<double, 1>(last, lanes, x + i, h + i, position + i, velocity + i, acceleration + i);
+  }
+}
+
+inline void depart(int lanes, const double* __restrict x, const double* __restrict y, double* __restrict most,
+                   double* __restrict not_finite) {
+  for (int i = 0; i < lanes; ++i) {
+    const double size = __builtin_fabs(2.0 * x[i] - y[i]);
+    most[i] = most[i] < size ? size : most[i];
+    not_finite[i] += 0.0 * size;
   }
 }
 
@@ -191,8 +209,8 @@ inline void bound(int lanes, const double* __restrict a, const double* __restric
   }
 }
 
-const EnsembleLanes ensemble{&scale,   &scale_two, &extend,   &smaller, &multiply,
-                             &largest, &horner,    &weighted, &log2,    &bound};
+const EnsembleLanes ensemble{&scale,  &scale_two, &extend,   &smaller, &multiply, &largest,
+                             &horner, &depart,    &weighted, &log2,    &bound};
 
 }  // namespace JETLAG_INSTRUCTION_SET_NAME
 #endif

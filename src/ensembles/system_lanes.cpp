@@ -80,9 +80,9 @@ SystemLanes::SystemLanes(const Model<double>& model)
 
 /// With s = (t - t_0) / unit:   v_k = (k+1) x_{k+1} / unit,   x_{k+2} = F_k unit^2 / (m (k+1) (k+2)).
 void SystemLanes::grow(Blocks<double>& blocks, const EnsembleLanes& of, const double* time, int order,
-                       double unit) const {
+                       double unit, int known) const {
   const int lanes = blocks.lanes(), last = order - 2;
-  for (int k = 0; k <= last;) {
+  for (int k = known - 1; k <= last;) {
     const int orders = !reads_velocity && k < last ? 2 : 1;
     for (const auto& [place, input] : program.inputs)
       for (int n = k; n < k + orders; ++n) {

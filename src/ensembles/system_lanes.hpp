@@ -21,10 +21,10 @@ struct SystemLanes {
   std::vector<Place> series;  // of each component of the positions: every order is kept
   bool reads_velocity = false;
 
-  /// The series of the positions up to `order`, from their orders 0 and 1.   time: one for each lane [s].
+  /// The series of the positions up to `order`, from their orders up to `known`, 1 at first.   time: one for each lane [s].
   /// unit [s]: a power of two; coefficient k comes times unit^k, with the same digits, as in Expansion.
   void grow(Blocks<double>& blocks, const EnsembleLanes& lanes, const double* time, int order,
-            double unit = 1) const;
+            double unit = 1, int known = 1) const;
 };
 
 }  // namespace jetlag

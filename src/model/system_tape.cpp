@@ -27,9 +27,16 @@ std::optional<Recorded> scaled_power(Recording& recording, const std::vector<Nod
   return recording.operation(rule_id<Power>, {recording.node_of(exponent), scaled.node()}, false);
 }
 
-/// The forces that the law of one element gives, recorded: component by component.
+/// A value whose sign decides, and the sign that a zero is taken for: see Condition.
+struct Decision {
+  Recorded value;
+  int at_zero;
+};
+
+/// The forces that the law of one element gives, recorded: component by component. Its conditions join the `decisions`.
 std::vector<Recorded> record_element(Recording& recording, const RecordedLaw& law, const int* particles,
-                                     const double* parameters, const std::vector<double>& mass) {
+                                     const double* parameters, const std::vector<double>& mass,
+                                     std::vector<Decision>& decisions) {
   const int width = static_cast<int>(law.parameters.size());
   std::vector<Recorded> value;
   const auto input = [&](const Input& of) {
@@ -78,6 +85,9 @@ std::vector<Recorded> record_element(Recording& recording, const RecordedLaw& la
       }
     }
   }
+  for (const auto& [node, at_zero] : law.force.conditions)
+    if (!value[node].is_number() && !recording.is_static(value[node]))
+      decisions.push_back({value[node], at_zero});
   std::vector<Recorded> force;
   for (int output : law.force.outputs) force.push_back(value[output]);
   return force;
@@ -97,13 +107,15 @@ Tape system_tape(const Model<double>& model) {
   struct Terms {
     std::vector<Recorded> plus, minus;
   };
+  std::vector<Decision> decisions;
   std::vector<Terms> terms(static_cast<std::size_t>(model.particles()) * dimension);
   for (const auto& of_law : model.laws()) {
     const auto& [law, members, parameters] = of_law->elements();
     for (const int e : of_law->all()) {
       const auto particles = of_law->particles_of(e);
-      const auto force = record_element(recording, law, particles.data(),
-                                        parameters.data() + e * law.parameters.size(), model.mass());
+      const auto force =
+          record_element(recording, law, particles.data(), parameters.data() + e * law.parameters.size(),
+                         model.mass(), decisions);
       const auto on = [&](int participant, int c) -> Terms& {
         return terms[static_cast<std::size_t>(particles[participant]) * dimension + c];
       };
@@ -119,7 +131,14 @@ Tape system_tape(const Model<double>& model) {
   std::vector<Recorded> outputs;
   for (const Terms& of : terms)
     outputs.push_back(of.plus.empty() && !of.minus.empty() ? -sum(of.minus) : sum(of.plus) - sum(of.minus));
-  return recording.finish(outputs);
+  // The decisions are computed like outputs, and then are none.
+  const std::size_t forces = outputs.size();
+  for (const Decision& decision : decisions) outputs.push_back(decision.value);
+  Tape tape = recording.finish(outputs);
+  for (std::size_t i = 0; i < decisions.size(); ++i)
+    tape.conditions.push_back({tape.outputs[forces + i], decisions[i].at_zero});
+  tape.outputs.resize(forces);
+  return tape;
 }
 
 }  // namespace jetlag

@@ -17,6 +17,7 @@
 
 #include "jetlag/base/outcome.hpp"
 #include "jetlag/base/workers.hpp"
+#include "jetlag/integrators/steps_to_changes.hpp"
 #include "jetlag/model/system.hpp"
 #include "jetlag/tape/program.hpp"
 
@@ -27,8 +28,15 @@ struct SystemLanes;
 /// Taylor's method of a fixed degree with the step of Jorba and Zou (control/jorba_zou.hpp), as `taylor` with `JorbaZou`,
 /// to rounding. A trajectory has the same bits in any company and for any number of workers, as long as the blocks
 /// have the same width. Time is counted in seconds: of motions of more than 1e15 or less than 1e-15 radians a second
-/// coefficient 20 is beyond doubles, and their trajectories end as non_finite or are stepped by what is left. Kinks of
-/// forces are not looked for: springs may be stepped over where their ends meet exactly, floors are refused.
+/// coefficient 20 is beyond doubles, and their trajectories end as non_finite or are stepped by what is left.
+///
+/// A trajectory takes a step by itself, as RandomTaylor does, where a choice in a force may change (forces/force.hpp), or
+/// where the forces at the end of its step do not plainly agree with the series, whose step is then taken anew:
+///
+///     h^2 |a - x''|  <=  2^16 eps max(|x|, m) + 16 N e^(-2(N-1)) m,   m = max(h |v|, h^2 |a|) at the beginning.
+///
+/// Hand-written kinks of forces are not looked for: springs may be stepped over where their ends meet exactly, floors are
+/// refused.
 class Ensemble {
  public:
   /// Keeps no reference to the system. degree: >= 1. states: one for each trajectory; their rests are dropped, their
@@ -54,6 +62,8 @@ class Ensemble {
   /// success, step_underflow or non_finite.
   Outcome outcome(std::size_t i) const { return outcome_[i]; }
   std::uint64_t steps(std::size_t i) const { return steps_[i]; }
+  /// Those of the steps that a trajectory has taken by itself.
+  std::uint64_t lone_steps(std::size_t i) const { return lone_steps_[i]; }
 
   /// The steps of all trajectories.
   std::uint64_t steps() const;
@@ -69,8 +79,13 @@ class Ensemble {
   double* rows(AlignedVector<double>& of, std::size_t block) const;
   void advance(std::size_t block, double until, Workspace& work);
   void choose_steps(Workspace& work) const;
+  void load(std::size_t block, Workspace& work) const;
+  bool check_ends(std::size_t block, double until, Workspace& work);
+  void find_choices(std::size_t block, double until, Workspace& work);
+  void step_alone(std::size_t block, int lane, double until, Workspace& work);
 
   std::shared_ptr<const SystemLanes> system_;
+  std::shared_ptr<const System<double>> alone_;  // the same, for steps that are not taken in lanes
   int degree_;
   std::size_t count_;
   double max_step_;
@@ -79,7 +94,8 @@ class Ensemble {
   const KernelTable<double>* table_;
   AlignedVector<double> position_, velocity_, time_;  // [block][component][lane], time [block][lane]
   std::vector<Outcome> outcome_;
-  std::vector<std::uint64_t> steps_;
+  std::vector<std::uint64_t> steps_, lone_steps_;
+  std::vector<StepsToChanges<double>> changes_;
 };
 
 }  // namespace jetlag
