@@ -148,6 +148,20 @@ TEST(Medit, ReadsNoFurtherThanALineMayBeLong) {
       ThrowsMessage<SceneError>(AllOf(HasSubstr("line 3"), HasSubstr("longer than 100000 characters"))));
 }
 
+TEST(Medit, NeedsNoMemoryForALineThatIsTooLong) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "takes terabytes of addresses for itself";
+#endif
+  const TemporaryFolder folder;
+  write(folder / "long.mesh", "");
+  std::filesystem::resize_file(folder / "long.mesh", std::uintmax_t{3} << 30);
+  const Ended refused = program("--version && ulimit -v 1000000 && '" JETLAG_PROGRAM
+                                R"(' check body --set particles='{"mesh": "long.mesh"}' 2>&1)",
+                                folder.path());
+  EXPECT_EQ(refused.exit_code, 2) << refused.output;
+  EXPECT_THAT(refused.output, AllOf(HasSubstr("line 1"), HasSubstr("longer than 100000 characters")));
+}
+
 TEST(Medit, SaysWhichFileCannotBeRead) {
   const TemporaryFolder folder;
   const std::string mesh = R"(check body --set particles='{"mesh": ")";

@@ -108,6 +108,23 @@ TEST(JetRotations, TakeOneVectorToAnother) {
   EXPECT_FALSE(isfinite(image[1]));
 }
 
+TEST(JetRotations, AreTheirOwnOrthogonalFactor) {  // R is a diagonal of signs: sin t is not lost
+  Matrix2 turn;
+  turn << cos(t), -sin(t), sin(t), cos(t);
+  const auto expect_factors = [&](const Matrix2& q, const Matrix2& r) {
+    expect_near_matrix(Matrix2(q * r), turn);
+    expect_near_matrix(Matrix2(q.transpose() * q), Matrix2::Identity());
+    for (Eigen::Index i = 0; i < 2; ++i) {
+      expect_near(abs(r(i, i)), J(1.0));
+      expect_near(abs(q(i, i)), cos(t));
+      expect_near(abs(q(1 - i, i)), sin(t));
+    }
+    expect_near(r(0, 1), J(0.0));
+  };
+  const Eigen::HouseholderQR<Matrix2> plain(turn);
+  expect_factors(plain.householderQ(), plain.matrixQR().triangularView<Eigen::Upper>());
+}
+
 TEST(JetRotations, HaveAnAngleAndAnAxis) {
   const AngleAxis about_z{Quaternion(AngleAxis(0.5 + t, z_axis))};
   expect_near(about_z.angle(), 0.5 + t);

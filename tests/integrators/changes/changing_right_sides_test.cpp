@@ -59,6 +59,7 @@ TEST(ChangingRightSide, APulseIsNotPassedOver) {
 
 TEST(ChangingRightSide, HalfWavesAddUp) {
   const auto half_waves = [](auto& t, auto&) { return one(max(sin(t), 0.0)); };
+  expect_end(half_waves, {0}, 0, 2 * M_PI, 2);
   expect_end(half_waves, {0}, 0, 20 * M_PI, 20);
   expect_end(half_waves, {20}, 20 * M_PI, 0, 0);
 }

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <vector>
 
+#include "jetlag/control/jorba_zou.hpp"
 #include "schedule/events/events_for_tests.hpp"
 #include "support/random.hpp"
 
@@ -47,6 +49,26 @@ TEST(SingularEvents, TwoParticlesThatPassEachOtherCloselyAreNearTwice) {
     for (const double step : {0.71, 3.0})
       expect_zeros(hits_until(3, near, step), {{1 - half, false}, {1 + half, true}},
                    "y = " + std::to_string(y));
+  }
+}
+
+TEST(SingularEvents, OfTwoParticlesAreThoseOfTheirDistance) {
+  // (2 t - 2)^2 + y^2 = 1/4 twice; from y = 1e-9 on g is analytic all along. Steps of a control: one of 3 s.
+  const auto near = [](const auto&, const auto& x, const auto&) {
+    const auto dx = x(1, 0) - x(0, 0), dy = x(1, 1) - x(0, 1);
+    return sqrt(dx * dx + dy * dy) - 0.5;
+  };
+  for (const double y : {0.0, 1e-9, 3e-8}) {
+    Problem scene{System<double>(2, {1.0, 1.0}), {0.0, Coordinates<double>(2, 2), Coordinates<double>(2, 2)}};
+    scene.start.position << -1, 0, 1, y;
+    scene.start.velocity << 1, 0, -1, 0;
+    const double half = 0.5 * std::sqrt(0.25 - y * y);
+    const std::vector<Zero> zeros{{1 - half, false}, {1 + half, true}};
+    const Event event{.name = "near", .g = near};
+    expect_zeros(hits_of(scene, Lockstep(taylor(scene.system, 20, std::make_unique<JorbaZou>())), {event}, 3),
+                 zeros, "y = " + std::to_string(y));
+    for (const double step : {0.71, 0.75, 3.0})
+      expect_zeros(hits_of(scene, in_steps(scene, step), {event}, 3), zeros, "y = " + std::to_string(y));
   }
 }
 
@@ -106,6 +128,13 @@ TEST(SingularEvents, PolesAndJumpsThroughZeroAreNoZeros) {
                      3, [](const auto&, const auto& x) { return select(x < 0.0, x - 1.0, x + 1.0); }, step),
                  {}, "select");
   }
+}
+
+TEST(SingularEvents, OfTimeAloneAreFoundWhileNothingMoves) {  // one step as long as the run
+  const Problem rest = free_particle(0, 0);
+  const Event tangent{.name = "tan", .g = [](const auto& t, const auto&, const auto&) { return tan(t); }};
+  expect_zeros(hits_of(rest, Lockstep(taylor(rest.system, 20, std::make_unique<JorbaZou>())), {tangent}, 10),
+               {{pi, true}, {2 * pi, true}, {3 * pi, true}}, "tan");
 }
 
 TEST(SingularEvents, ABranchPointAtZeroIsAZero) {
