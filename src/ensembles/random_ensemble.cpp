@@ -128,9 +128,12 @@ void check(const System<double>& system, const State<double>& state, std::size_t
       refuse("particle " + std::to_string(p) + " is fixed and must be at rest, not so in that");
 }
 
-/// Whether members can go in lanes.
-bool allows_lanes(const SeriesMethod& method) {
-  return !method.options.compensated && std::holds_alternative<TruncationLaw>(method.law) &&
+/// Whether members can go in lanes, whose steps do not end where choices in forces change.
+bool allows_lanes(const System<double>& system, const SeriesMethod& method) {
+  const bool has_choices = std::ranges::any_of(system.elements(), [](const Elements<double>& elements) {
+    return elements.count() > 0 && !elements.law.force.conditions.empty();
+  });
+  return !has_choices && !method.options.compensated && std::holds_alternative<TruncationLaw>(method.law) &&
          dynamic_cast<const FixedStep*>(method.control.get()) != nullptr;
 }
 
@@ -159,12 +162,13 @@ RandomEnsemble::RandomEnsemble(const System<double>& system, const SeriesMethod&
   };
   if (std::isfinite(time_) && !(options.end >= time_))
     throw std::invalid_argument("RandomEnsemble: the end lies before the states");
-  if (options.layout == Layout::in_lanes && !allows_lanes(method))
+  if (options.layout == Layout::in_lanes && !allows_lanes(system, method))
     throw std::invalid_argument(
-        "RandomEnsemble: lanes need a FixedStep, sums that are not compensated and a law that is known "
-        "beforehand");
-  const bool lanes = options.layout == Layout::in_lanes ||
-                     (options.layout == Layout::automatic && allows_lanes(method) && fits_lanes(system));
+        "RandomEnsemble: lanes need a FixedStep, sums that are not compensated, a law that is known "
+        "beforehand, and forces without choices (select, abs, min, max, roots that may reach zero)");
+  const bool lanes =
+      options.layout == Layout::in_lanes ||
+      (options.layout == Layout::automatic && allows_lanes(system, method) && fits_lanes(system));
   if (lanes)
     members_ = members_in_lanes(system, method, members, checked, options);
   else

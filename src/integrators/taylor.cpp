@@ -262,7 +262,7 @@ double RandomTaylor::up_to_change(double h) {
   const double most = reach;
   std::optional<double> change = series_.series().first_change(reach);
   if (change) *change *= unit;
-  return changes_.step(reach < most ? reach * unit : h, expansion().time(), change);
+  return changes_.step(h, reach < most ? reach * unit : h, expansion().time(), change);
 }
 
 /// The state at the end of the step h.

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <vector>
 
+#include "jetlag/control/fixed_step.hpp"
 #include "jetlag/ensembles/ensemble.hpp"
+#include "jetlag/ensembles/random_ensemble.hpp"
 #include "jetlag/forces/forces.hpp"
 
 namespace jetlag::testing::ensemble_checks_test {
@@ -52,6 +54,19 @@ struct Towards {
   }
 };
 
+/// 1 N from 1 s to 2 s.
+struct Push {
+  static constexpr const char* name = "push";
+  static constexpr int participants = 1;
+  static constexpr std::array<const char*, 0> parameters{};
+  template <class T, int D>
+  static Vector<T, D> force(const Participants<T, D, 1>& p) {
+    Vector<T, D> f = Vector<T, D>::Constant(T(0.0));
+    f[0] = select(p.time >= T(1.0) && p.time < T(2.0), T(1.0), T(0.0));
+    return f;
+  }
+};
+
 template <class Law, class... Parameters>
 System<double> of_one(Parameters... parameters) {
   System<double> system(1, {1.0});
@@ -84,6 +99,27 @@ TEST(EnsembleChecks, RopesTightenAndLetGo) {
       EXPECT_GT(ropes.lone_steps(i), 0u);
     }
   }
+}
+
+/// The forces at both ends of a step of 17 s are none.
+TEST(EnsembleChecks, PushesWithinAStepAreFelt) {
+  Ensemble pushed(of_one<Push>(), 20, {at(0, 0), at(1, 0, 1.5)});
+  pushed.advance_to(17);
+  EXPECT_NEAR(pushed.state(0).position(0, 0), 15.5, 1e-13);  // 1/2 at 2 s, at 1 m/s; some tens of roundings
+  EXPECT_NEAR(pushed.state(0).velocity(0, 0), 1, 1e-14);
+  EXPECT_NEAR(pushed.state(1).position(0, 0), 1 + 0.125 + 7.5, 1e-13);
+}
+
+/// Lanes of steps that are given would pass over it.
+TEST(EnsembleChecks, RandomMembersWithChoicesGoByThemselves) {
+  const SeriesMethod method{geometric(3, 8, 0.5), {}, std::make_shared<FixedStep>(0.7)};
+  RandomEnsemble::Options options;
+  RandomEnsemble pushed(of_one<Push>(), method, std::vector<State<double>>(40, at(0, 0)), options);
+  EXPECT_FALSE(pushed.in_lanes());
+  pushed.advance_to(17);
+  EXPECT_NEAR(pushed.state(3).position(0, 0), 15.5, 1e-13);
+  options.layout = RandomEnsemble::Layout::in_lanes;
+  EXPECT_THROW(RandomEnsemble(of_one<Push>(), method, {at(0, 0)}, options), std::invalid_argument);
 }
 
 TEST(EnsembleChecks, FindAJumpOfWhichTheTapeKnowsNothing) {

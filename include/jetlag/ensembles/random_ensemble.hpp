@@ -51,7 +51,8 @@ class RandomEnsemble {
   /// company and for any number of workers. In lanes and one by one it agrees to rounding.
   /// Keeps no reference to the system. The states have one time; their rests are dropped.
   /// Throws std::invalid_argument for a state of another shape, a fixed particle that is not at rest and times that
-  /// differ or are not finite; for Layout::in_lanes with compensated sums or a control that is not FixedStep.
+  /// differ or are not finite; for Layout::in_lanes with compensated sums, a control that is not FixedStep, or forces that make
+  /// choices (forces/force.hpp).
   RandomEnsemble(const System<double>& system, const SeriesMethod& method,
                  const std::vector<State<double>>& states, const Options& options);
   RandomEnsemble(const System<double>& system, const SeriesMethod& method,

@@ -36,7 +36,11 @@
 //
 // A force may make choices: select, abs, min, max, and roots that come to zero. Steps end where one of
 // them changes, found from the series of what decides it. A `kink` takes their place: it costs less, since particles far from
-// it are not looked at. Ensembles in lanes (ensembles/ensemble.hpp) do not know choices.
+// it are not looked at.
+//
+// What a series cannot tell, no step sees: a pulse whose coefficients at the beginning are below their rounding, as of
+// exp(-50 (t - 5)^2) at t = 0, and what is shorter than a step and no choice, as the cut of atan2 where it is crossed twice.
+// A max_step shorter than it, or a choice (select), finds it.
 //
 // Invariants, tested for every law of the register (forces.hpp):
 //   - a law between particles conserves momentum: the forces of an element add up to zero to the last bit, those given

@@ -59,15 +59,16 @@ struct OneClockRunOptions {
 ///     about it, end the run as step_underflow;
 /// and of a Method that computes f at a state (known_orders, scale, defect, rests):
 ///   - where the series has no more than its first coefficients, as that of |v| v has for v = 0, the step uses these and is
-///     so short that they suffice, if there is a whole series at its end;
+///     so short that they suffice, also at seven places within it, if there is a whole series at its end;
 ///   - where f is not recorded otherwise (a root that reaches zero, the cut of atan2) it shows in the defect: y' at the end of
 ///     a step must be f there,
 ///
 ///         h |f(t + h, y(t + h)) - y'(h)|  <=  max(2^16 eps, 16 N e^(-2(N-1))) max(|y|, h |f|),
 ///
 ///     and what 8 roundings of a late time make of f; the second is N times the last term that Jorba and Zou leave. Where it is
-///     not, the step is halved; where none is short enough, the report is step_underflow. A law leaves out more
-///     than that and is not checked. Steps of one length cannot be shortened: `warning` says where their defects add up.
+///     not, the step is halved; where none is short enough, or 1000 in a row had to be halved 10 times, as of an f that is all
+///     rounding, the report is step_underflow. A law leaves out more
+///     than that and is not checked; nor is what no series tells of the inside of a step, see forces/force.hpp. Steps of one length cannot be shortened: `warning` says where their defects add up.
 template <class Method, class Series, class State, class Options>
 class OneClockTaylor {
  public:
@@ -151,6 +152,7 @@ class OneClockTaylor {
   std::uint64_t update_ = 0;
   int known_ = std::numeric_limits<int>::max();  // the orders of the series that exist
   StepsToChanges<T> changes_;
+  int held_up_ = 0;                            // steps in a row that were halved 10 times
   double departure_ = 0, largest_defect_ = 0;  // of steps that are given
   T largest_at_{};
 };
@@ -253,7 +255,7 @@ auto OneClockTaylor<Method, Series, State, Options>::up_to_change(const T& h) ->
   const T most = reach;
   std::optional<T> change = self().first_change(reach);
   if (change) change = T(*change * unit);
-  const T step = changes_.step(reach < most ? T(reach * unit) : abs(h), series().time(), change);
+  const T step = changes_.step(T(abs(h)), reach < most ? T(reach * unit) : abs(h), series().time(), change);
   return h < T(0) ? T(-step) : step;
 }
 

@@ -14,12 +14,13 @@ namespace jetlag {
 template <class T>
 class StepsToChanges {
  public:
-  /// The step: `length` > 0, or to a change of which its series says that it comes after that time.
-  T step(const T& length, const T& time, const std::optional<T>& change) {
+  /// The step: `length` > 0, as far as choices are known, or to a change of which its series says that it comes after that time.
+  /// asked: the step that is to be, >= length.
+  T step(const T& asked, const T& length, const T& time, const std::optional<T>& change) {
     using std::abs;
     is_to_change_ = change.has_value();
     if (!change) {
-      instants_ = 0;
+      instants_ = length < asked * T(0x1p-200) ? instants_ + 1 : 0;
       return length;
     }
     const T place = std::numeric_limits<T>::epsilon() * abs(time);

@@ -16,8 +16,10 @@
 //   not finite      what divides by a length or pivot that is 0, and what needs more coefficients than there are: the
 //                   square of t^l, 2 l > N, is above 0 but not known, and so is its root; stableNorm of what is 0 at t = 0;
 //                   slerp of quaternions that coincide at t = 0, FromTwoVectors of vectors that are opposite there
+//   0 beside NaN    LDLT::solve of an indefinite matrix with a pivot 0 at t = 0, as (t 1; 1 t): what it cannot divide by is
+//                   set to 0, with Success
 //   no compilation  BDCSVD, EigenSolver, ComplexEigenSolver, GeneralizedEigenSolver, RealSchur, ComplexSchur, RealQZ,
-//                   blueNorm, Rotation2D::slerp
+//                   blueNorm, Rotation2D::slerp and smallestAngle
 //   at t = 0 only   isOrthogonal
 //
 // A rank is that for small t > 0: NumTraits::epsilon() is 0, and a pivot that is 1e-17 by rounding counts as well, unless

@@ -78,6 +78,51 @@ TEST(ChangingRightSide, StartsOnAKinkOnTheSideToWhichItGoes) {
   expect_end(higher, {1}, 0, 1, 2);
 }
 
+/// Half a circle and a saw, which are zero at both ends. Where a root with an infinite slope ends, the last steps are below the
+/// places of the time.
+TEST(ChangingRightSide, RisesFromAPointWithoutASeriesThoughItEndsAtRest) {
+  const auto circle = [](auto& t, auto&) { return one(sqrt(t * (1.0 - t))); };
+  const Ended half = run(circle, {0}, 0, 1);
+  EXPECT_EQ(half.report.outcome, Outcome::step_underflow);
+  EXPECT_NEAR(half.y[0], M_PI / 8, rounding);
+  expect_end(circle, {0}, 0, 0.5, M_PI / 16);
+  for (const Ended& saw :
+       {run([](auto& t, auto&) { return one(acos(cos(t))); }, {0}, 0, 2 * M_PI),
+        run([](auto& t, auto&) { return one(sqrt(1.0 - cos(t) * cos(t))); }, {0}, 0, M_PI)}) {
+    EXPECT_EQ(saw.report.outcome, Outcome::step_underflow) << saw.y[0];  // f is all rounding up to 1e-8
+    EXPECT_LT(saw.work.steps, 3000u);
+  }
+}
+
+/// A branch that is not taken, and has no series: it decides nothing.
+TEST(ChangingRightSide, ABranchThatIsNotTakenDoesNotHoldItUp) {
+  const auto f = [](auto& t, auto&) { return one(select(t < 1.0, Recorded(1.0), sqrt(0.0 * t))); };
+  expect_end(f, {-1}, 0, 0.5, -0.5);
+  expect_end(f, {-1}, 0.25, 0.5, -0.75);
+  expect_end([](auto& t, auto& y) { return one(select(t < 1.0, Recorded(1.0), 1.0 + sqrt(max(y[0], 0.0)))); },
+             {-1}, 0, 0.5, -0.5);
+}
+
+TEST(ChangingRightSide, NeverStandsStill) {  // a root of zero that decides
+  const auto f = [](auto& t, auto&) {
+    return one(select(sqrt(0.0 * t) < 0.5, Recorded(1.0), Recorded(2.0)));
+  };
+  for (const double from : {0.0, 0.25}) {
+    const Ended end = run(f, {0}, from, 1);
+    EXPECT_TRUE(end.report.outcome == Outcome::step_underflow ||
+                (end.report.outcome == Outcome::success && std::abs(end.y[0] - (1 - from)) < rounding))
+        << to_string(end.report.outcome) << " " << end.y[0];
+  }
+}
+
+TEST(ChangingRightSide, ChangesAtEveryDegree) {  // 1/2 + 2, and 2
+  for (int degree = 2; degree < 10; ++degree) {
+    expect_end([](auto& t, auto&) { return one(abs(t - 1.0)); }, {0}, 0, 3, 2.5, {.degree = degree});
+    expect_end([](auto& t, auto&) { return one(select(t >= 1.0, Recorded(1.0), Recorded(0.0))); }, {0}, 0, 3,
+               2, {.degree = degree});
+  }
+}
+
 TEST(ChangingRightSide, DragTurnsRoundWithTheMotion) {  // thrown up: atan on the way up, tanh on the way down
   const double g = 9.8, k = 0.1, v = std::sqrt(g / k);
   const auto drag = [&](auto&, auto& y) {

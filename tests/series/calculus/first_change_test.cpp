@@ -24,6 +24,21 @@ TEST(FirstChange, IsJustBeyondTheFirstRoot) {  // (s - 1/2)(s - 1): beyond by it
   EXPECT_LT((*s - 0.5) * (*s - 1), 0);
 }
 
+TEST(FirstChange, ReachesALineOfAnyDegree) {  // t - 1: its term of order 1 does not mean that more follow
+  for (int degree = 2; degree < 9; ++degree) {
+    std::vector<double> c(degree + 1, 0.0);
+    c[0] = -1;
+    c[1] = 1;
+    EXPECT_EQ(jetlag::reach_of_condition<double>(c, 3.0), 3.0) << degree;
+  }
+}
+
+TEST(FirstChange, OfARootOfZeroWithoutASeriesDecidesNothing) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(jetlag::reach_of_condition<double>(std::vector<double>{0, nan, nan, nan}, 3.0), 3.0);
+  EXPECT_LT(jetlag::reach_of_condition<double>(std::vector<double>{-0.5, nan, nan, nan}, 3.0), 1e-60);
+}
+
 TEST(FirstChange, IsNoneOfWhatStaysOrTouches) {
   EXPECT_FALSE(change({0.5, -1.5, 1.0}, 0.4).has_value());
   EXPECT_FALSE(change({1.0, -2.0, 1.0}, 2.0).has_value());  // (s - 1)^2

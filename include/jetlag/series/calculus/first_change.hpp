@@ -8,7 +8,8 @@
 namespace jetlag {
 
 /// h, or a shorter length on which the last two terms of c are below rounding, or what degree N leaves out of a series whose
-/// terms fall by e^2: farther off the polynomial is not the condition. Where c_0 is not finite it decides nothing: h.
+/// terms fall by e^2: farther off the polynomial is not the condition. Where c_0 is not finite it decides nothing, nor does a root
+/// of zero without a series, which makes what depends on it not finite: h. Of degree 2 the last term counts alone.
 template <class T>
 T reach_of_condition(std::span<const T> c, T h);
 

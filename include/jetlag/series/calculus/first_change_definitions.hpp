@@ -59,7 +59,8 @@ T reach_of_condition(std::span<const T> c, T h) {
   const int n = static_cast<int>(c.size()) - 1;
   const double left_out =
       std::max(static_cast<double>(std::numeric_limits<T>::epsilon()), std::exp(-2.0 * (n - 1)));
-  if (n < 2 || !isfinite(c[0])) return h;
+  const int last_terms = n == 2 ? 1 : 2;  // a term of order 1 is no sign of a series that has not ended
+  if (n < 2 || !isfinite(c[0]) || (c[0] == T(0) && !isfinite(c[1]))) return h;
   for (int attempt = 0; attempt < 60; ++attempt) {
     T power(1), sum(0), last(0);
     for (int k = 0; k <= n; ++k) {
@@ -69,7 +70,7 @@ T reach_of_condition(std::span<const T> c, T h) {
         break;
       }
       sum += term;
-      if (k >= n - 1) last += term;
+      if (k > n - last_terms) last += term;
       power *= h;
     }
     if (!isfinite(sum)) {
