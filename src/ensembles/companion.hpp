@@ -32,6 +32,7 @@ class Companion {
   /// How far the steps have led [s].
   double time() const { return state_.time; }
   const Work& work() const { return taylor_.work(); }
+  std::string warning() const { return taylor_.warning(); }
 
  private:
   RandomTaylor taylor_;

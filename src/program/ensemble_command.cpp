@@ -73,6 +73,9 @@ int run(const EnsembleArguments& arguments) {
   if (!result.deterministic_message.empty())
     warnings.push_back("the run of fixed degree " + std::to_string(result.deterministic_degree) + ' ' +
                        result.deterministic_message);
+  if (!result.warning.empty())
+    warnings.push_back("the run of fixed degree " + std::to_string(result.deterministic_degree) + ": " +
+                       result.warning);
   if (result.outcome == Outcome::success && !result.failures.empty())
     warnings.push_back(std::to_string(result.failures.size()) + " of " + std::to_string(result.members) +
                        " members failed and are left out from then on; the first: " +

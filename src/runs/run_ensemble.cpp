@@ -136,6 +136,7 @@ class EnsembleRun {
     }
     result_.deterministic_work = run.work();
     result_.deterministic_message = end_of(run);
+    result_.warning = run.warning();
   }
 
   void end(Outcome outcome, const std::string& message) {

@@ -34,6 +34,21 @@ Scene scene_with(const std::string& name, const Json& replaced = Json::object())
   return read_scene(json.dump(), name, ".");
 }
 
+/// x'' = -x in steps of 3: what degree 4 leaves out, 3^6/6!, is as large as the motion.
+TEST(EnsembleOfAScene, WarnsOfGivenStepsThatAreTooLong) {
+  EnsembleOptions options;
+  options.members = 40;
+  const auto warning = [&](double step) {
+    const EnsembleResult result =
+        run_ensemble(scene_with("oscillator", {{"control", {{"step", step}}}, {"until", 30.0}}), options);
+    const Json table = Json::parse(to_json(result))["deterministic"]["warning"];
+    EXPECT_EQ(table.is_null() ? "" : table.get<std::string>(), result.warning);
+    return result.warning;
+  };
+  EXPECT_THAT(warning(3.0), HasSubstr("cannot be shortened"));
+  EXPECT_EQ(warning(0.05), "");
+}
+
 /// On a line, and as long as no end passes the other, the forces are linear: with u = x - i v one step is u -> R_K(i h) u,
 ///     E x_n = Re (T_N^n u_0),   E x_n^2 = ((E|R|^2)^n |u_0|^2 + Re (E R^2)^n u_0^2) / 2.   Source: methods 1d.
 /// The sample variance of M members has a relative error of some sqrt((kurtosis - 1) / M); z < 4 with kurtosis <= 9.

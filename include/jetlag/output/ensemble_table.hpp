@@ -62,6 +62,8 @@ struct EnsembleResult {
   Work deterministic_work;
   std::string reference_message,
       deterministic_message;  // why there is none from some frame on; empty: there is
+  std::string
+      warning;  // what the deterministic run makes of steps that are given and too long; empty: nothing
   bool in_lanes = false;
   double wall_seconds = 0;  // of the members
   int threads = 1;
