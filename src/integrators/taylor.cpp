@@ -56,22 +56,16 @@ RandomTaylor::RandomTaylor(const System<double>& system, Truncation law, std::un
 
 double RandomTaylor::step(State<double>& state, double limit, Report& report) {
   begin(state);
-  double h = up_to_change(control_.propose({expansion(), stops().law(), limit}));
-  if (changes_.is_stuck()) {
-    report = {Outcome::step_underflow,
-              "choices in a force have changed 100 times in a row with next to no time in between, at t = " +
-                  shown(state.time) +
-                  ": the motion slides along a jump of the force or chatters about it; end the run before",
-              -1};
-    changes_ = {};
-    return 0.0;
-  }
+  const double proposal = control_.propose({expansion(), stops().law(), limit});
+  double h = up_to_change(proposal);
+  if (is_stuck(state.time, report)) return 0.0;
   if (!advances(state.time, h)) {
-    if (all_finite(expansion(), report)) report = step_underflow(expansion(), h);
+    if (!all_finite(expansion(), report)) return short_step(state, proposal > 0 ? proposal : limit, report);
+    report = step_underflow(expansion(), h);
     return 0.0;
   }
   proposed_ = h;
-  if (!end(state, h, report)) return 0.0;
+  if (!end(state, h, report)) return short_step(state, proposal, report);
   while (!agrees_with_forces(state, h)) {
     ++work_.rejected;
     changes_.take_none();
@@ -90,6 +84,22 @@ double RandomTaylor::step(State<double>& state, double limit, Report& report) {
     begin(state);
     if (!end(state, h, report)) return 0.0;
   }
+  return accept(state, h);
+}
+
+bool RandomTaylor::is_stuck(double time, Report& report) {
+  if (!changes_.is_stuck()) return false;
+  report = {Outcome::step_underflow,
+            "choices in a force have changed 100 times in a row with next to no time in between, at t = " +
+                shown(time) +
+                ": the motion slides along a jump of the force or chatters about it; end the run before",
+            -1};
+  changes_ = {};
+  return true;
+}
+
+/// Takes the state at the end of the step h.
+double RandomTaylor::accept(State<double>& state, double h) {
   control_.left_at(next_.position);
   next_.time = state.time;
   std::swap(state, next_);
@@ -100,6 +110,7 @@ double RandomTaylor::step(State<double>& state, double limit, Report& report) {
 }
 
 void RandomTaylor::begin(const State<double>& state) {
+  known_.clear();
   series_.start(state);
   series_.draw(update_);
   series_.grow_to(control_.orders_read(stops().law(), options_.velocity));
@@ -214,6 +225,7 @@ StepDefect RandomTaylor::defect_of(const Expansion<double>::Departure& departure
 /// Of the particles from first to before end, where the state ahead is the sum at s.
 void RandomTaylor::take_departure(double s, int first, int end,
                                   Expansion<double>::Departure& departure) const {
+  if (!known_.empty()) return take_departure_of_known(s, first, end, departure);
   if (stops().shared())
     return expansion().take_departure(stops().degree(), series_.weights(0), s, first, end, departure);
   for (int i = first; i < end; ++i)
@@ -260,7 +272,7 @@ double RandomTaylor::up_to_change(double h) {
   const double unit = expansion().time_unit();
   double reach = h / unit;
   const double most = reach;
-  std::optional<double> change = series_.series().first_change(reach);
+  std::optional<double> change = series_.series().first_change(reach, !known_.empty());
   if (change) *change *= unit;
   return changes_.step(h, reach < most ? reach * unit : h, expansion().time(), change);
 }
@@ -293,6 +305,7 @@ void RandomTaylor::add_increments(State<double>& state, double s) const {
 
 /// sum_{first<=n<=K} w_n c_n s^(n-first) by Horner's rule, c the series of the positions or that of the velocities.
 void RandomTaylor::weighted_sum(bool of_velocity, double s, int first, Coordinates<double>& sum) const {
+  if (!known_.empty()) return sum_of_known(of_velocity, s, first, sum);
   const bool derivative = of_velocity && options_.velocity == VelocitySeries::derivative;
   // With `derivative`, coefficient n of the velocity carries the weight of coefficient n + 1 of the position.
   const int offset = derivative ? 1 : 0;
@@ -339,6 +352,7 @@ void RandomTaylor::exchange(Member& member) {
 }
 
 Piece RandomTaylor::piece() const {
+  if (!known_.empty()) return piece_of_known();
   Piece piece{expansion().time(), expansion().time() + last_step_, {}, {}, expansion().time_unit()};
   const bool derivative = options_.velocity == VelocitySeries::derivative;
   const int top = stops().largest_degree();

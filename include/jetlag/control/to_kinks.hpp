@@ -77,6 +77,9 @@ class ToKinks final : public Control {
   double past_kinks() const override { return inner_->past_kinks(); }
   std::unique_ptr<Control> clone() const override { return std::make_unique<ToKinks>(*this); }
 
+  /// Whether there are kinks at which its steps end.
+  bool seeks_kinks() const { return !steps_.none(); }
+
   /// The particles for whose kinks the step that was proposed last was shortened, ascending; none where it was not.
   const std::vector<int>& at_kinks() const { return at_kinks_; }
 

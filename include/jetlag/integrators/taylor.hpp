@@ -8,6 +8,7 @@
 
 #include "jetlag/control/to_kinks.hpp"
 #include "jetlag/integrators/integrator.hpp"
+#include "jetlag/integrators/short_step.hpp"
 #include "jetlag/integrators/step_check.hpp"
 #include "jetlag/integrators/steps_to_changes.hpp"
 #include "jetlag/integrators/stopped_series.hpp"
@@ -36,6 +37,12 @@ namespace jetlag {
 /// steps that a control chooses are halved until they are; where none is short enough the report is step_underflow. Of steps
 /// that are given `warning` says what it makes of them. Velocities from the derivative of a position that may have degree 1
 /// are not checked.
+///
+/// Where the series of some particles have no more than their first coefficients, 2 at least, as those of a force |v| v have at
+/// rest, a step uses what there is, with weights 1 whatever the law, and is so short that the forces within it and at its end
+/// are those to which this leads (short_step.hpp). At its end there must be whole series again, of all particles but those
+/// that stay at rest; otherwise the report is non_finite. Such a step may be longer than the largest one of a control where
+/// nothing else moves. Steps that are given, or chosen without a look at the series, do so for a fixed degree only.
 class RandomTaylor final : public Integrator {
  public:
   struct Options {
@@ -80,6 +87,8 @@ class RandomTaylor final : public Integrator {
 
  private:
   void begin(const State<double>& state);
+  bool is_stuck(double time, Report& report);
+  double accept(State<double>& state, double h);
   double up_to_change(double h);
   bool end(const State<double>& from, double h, Report& report);
   bool agrees_with_forces(const State<double>& from, double h);
@@ -96,12 +105,26 @@ class RandomTaylor final : public Integrator {
   void add_increments(State<double>& state, double s) const;
   void weighted_sum(bool of_velocity, double s, int first, Coordinates<double>& sum) const;
   void count();
+
+  // Steps from singular points: src/integrators/short_step.cpp.
+  double short_step(State<double>& state, double limit, Report& report);
+  bool find_known();
+  bool agrees_all_along(const State<double>& from, double h, ShortStepBound& bound);
+  bool agrees_at(const State<double>& from, double h, ShortStepBound& bound);
+  int first_stopped(const State<double>& from, double h);
+  std::vector<bool> resting(const Coordinates<double>& velocity) const;
+  int least_known() const;
+  void sum_of_known(bool of_velocity, double s, int first, Coordinates<double>& sum) const;
+  void take_departure_of_known(double s, int first, int end, Expansion<double>::Departure& departure) const;
+  Piece piece_of_known() const;
+
   const Expansion<double>& expansion() const { return series_.series(); }
   const Stops& stops() const { return series_.stops(); }
 
   Options options_;
   StoppedSeries<Expansion<double>> series_;
   ToKinks control_;
+  std::vector<int> known_;             // the orders of each particle in a step from a singular point; empty in others
   StepsToChanges<double> changes_;
   std::vector<bool> fixed_;
   int moving_;

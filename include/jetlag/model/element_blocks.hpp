@@ -91,8 +91,8 @@ class ElementBlocks {
 
   /// The first s in (0, most], in units of time, at which a choice of one of the elements would be made otherwise than at the
   /// beginning, becomes `most` and `first`. most becomes shorter, and `first` nothing, where the series of a condition, known
-  /// up to `orders`, does not reach so far.
-  void find_change(int orders, T& most, std::optional<T>& first);
+  /// up to `orders`, does not reach so far. of_known: coefficients from the first one on that is not finite say nothing of that.
+  void find_change(int orders, T& most, std::optional<T>& first, bool of_known = false);
 
   /// The same for each element on its own: horizon(rows) is how far it is of interest, found(rows, s, is_change) where that is
   /// farther than s, up to which its choices are known. rows: those that are read of its participants.
@@ -300,8 +300,8 @@ inline void ElementBlocks<T>::collect(int particle, int k, int orders, T* force,
 /// Most conditions are far from a change: |c_0| > sum_{k>0} |c_k| h^k, and what follows on the last two terms is less than a
 /// thousand of them.
 template <class T>
-void ElementBlocks<T>::find_change(int orders, T& most, std::optional<T>& first) {
-  using std::abs;
+void ElementBlocks<T>::find_change(int orders, T& most, std::optional<T>& first, bool of_known) {
+  using std::isfinite;
   std::vector<T> c(orders);
   for (std::size_t b = 0; b < blocks_.blocks(); ++b)
     for (const auto& [place, at_zero] : blocks_.program().conditions) {
@@ -312,7 +312,9 @@ void ElementBlocks<T>::find_change(int orders, T& most, std::optional<T>& first)
       for (std::size_t lane = 0; lane < active; ++lane) {
         if (detail::outweighs_rest(series + lane, next_order, 1, orders - 1, most)) continue;
         for (int k = 0; k < orders; ++k) c[k] = series[k * next_order + lane];
-        find_first_change<T>(c, at_zero, most, first);
+        std::span<const T> known = c;
+        if (of_known) known = known.first(std::ranges::find_if_not(c, [](const T& x) { return isfinite(x); }) - c.begin());
+        find_first_change<T>(known, at_zero, most, first);
       }
     }
 }

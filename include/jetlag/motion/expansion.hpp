@@ -107,7 +107,8 @@ class Expansion {
   bool has_conditions() const;
   /// The first s in (0, h], in units of time, at which a choice that was made at the start would be made otherwise; nothing if
   /// there is none. h becomes shorter where the series of a condition does not reach so far.
-  std::optional<T> first_change(T& h);
+  /// of_known: as far as the coefficients say that are known where others are not finite.
+  std::optional<T> first_change(T& h, bool of_known = false);
 
   /// The same for each element on its own, see ElementBlocks::find_changes; rows are the numbers of particles.
   template <class Horizon, class Found>

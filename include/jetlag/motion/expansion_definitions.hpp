@@ -165,11 +165,11 @@ bool Expansion<T>::has_conditions() const {
 }
 
 template <class T>
-std::optional<T> Expansion<T>::first_change(T& h) {
+std::optional<T> Expansion<T>::first_change(T& h, bool of_known) {
   std::optional<T> first;
   T most = h;
   for (auto& law : laws_)
-    if (law.count() > 0 && law.has_conditions()) law.find_change(order_ - 1, most, first);
+    if (law.count() > 0 && law.has_conditions()) law.find_change(order_ - 1, most, first, of_known);
   if (!first) h = most;
   return first;
 }

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Steps of Taylor's method from a singular point: where the series of a particle has its first coefficients only, as that of a
+// motion from rest with a force |v| v. They are so short that these suffice.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "jetlag/integrators/step_check.hpp"
+
+namespace jetlag {
+
+/// Whether a step h from a singular point is short enough: forces are those to which its series leads but for
+///
+///     h |a - x''|  <=  8 eps V,      V = max(|v|, h |a|) of the longest step that was tried in which h |a - x''| is no more:
+///
+/// a speed that the motion reaches before it has become another one, so that what the velocities are off is below the
+/// rounding of what they become. Where nothing moves nor is pushed at the beginning, 2^-60 of the largest h |a - x''| that was
+/// seen first.
+class ShortStepBound {
+ public:
+  bool allows(const StepDefect& defect) {
+    if (!std::isfinite(defect.force)) return false;
+    const double off = defect.force / defect.step;
+    if (speed_ == 0 && defect.force <= defect.begun) speed_ = defect.begun / defect.step;
+    if (unseen_ == 0 && defect.begun == 0) unseen_ = 0x1p-60 * off;
+    return off <= std::max(8 * std::numeric_limits<double>::epsilon() * speed_, unseen_);
+  }
+
+ private:
+  double speed_ = 0, unseen_ = 0;  // V, and the part of what was seen first [m/s]
+};
+
+}  // namespace jetlag
