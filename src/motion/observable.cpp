@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "jetlag/base/rounded_time.hpp"
 #include "jetlag/base/text.hpp"
@@ -166,13 +165,21 @@ bool ObservableSeries::is_right(const Course& course, const LocalSeries& series,
 
 namespace {
 constexpr std::size_t most_series = 10000;
+constexpr int most_halvings = 30;
+
+/// What a series changes in 2^10 roundings of its time, within which it follows a change of a choice.
+double change_by_rounding(const LocalSeries& series) {
+  const double h = 0x1p-42 * std::abs(series.begin);
+  return Terms(series.c, h).sum - std::abs(series.c[0]);
+}
 
 void push(LocalSeries series, std::vector<LocalSeries>& all) {
   if (!all.empty() && series.join == LocalSeries::Join::value) {
     const LocalSeries& last = all.back();
     const double h = last.end - last.begin;
-    const double size = std::max(Terms(last.c, h).sum, std::abs(series.c[0]));
-    if (std::abs(accurate_value(last.c, h) - series.c[0]) > same_value * size)
+    const double size = std::max(Terms(last.c, h).sum, Terms(series.c, series.end - series.begin).sum);
+    const double late = last.to_change ? change_by_rounding(series) : 0;
+    if (std::abs(accurate_value(last.c, h) - series.c[0]) > same_value * size + late)
       series.join = LocalSeries::Join::jump;
   }
   const Terms terms(series.c, series.end - series.begin);
@@ -181,11 +188,22 @@ void push(LocalSeries series, std::vector<LocalSeries>& all) {
 }
 }  // namespace
 
+/// Follows g by its values from a singular point, at which it begins, to where it has a series; false where it has none.
+bool ObservableSeries::passes(Course& course, double end, std::vector<LocalSeries>& all) {
+  const double beyond = course.begin + std::ldexp(end - course.begin, -most_halvings);
+  if (!(course.begin < beyond && beyond < end)) return false;
+  Course later = course.from(beyond);
+  if (!std::isfinite(value(course, beyond)) || !std::isfinite(expand(later).back())) return false;
+  append_values(course, beyond, all);
+  course = std::move(later);
+  return true;
+}
+
 void ObservableSeries::append(Course course, double end, int halvings, std::vector<LocalSeries>& all) {
-  constexpr int most_halvings = 30;
   while (true) {
     LocalSeries series{course.begin, end, expand(course)};
     const bool exists = std::isfinite(series.c.back());
+    if (!exists && !std::isnan(series.c[0]) && passes(course, end, all)) continue;
     if (!exists || all.size() >= most_series) {
       if (exists) series.c = {std::numeric_limits<double>::quiet_NaN()};
       return all.push_back(std::move(series));
@@ -208,7 +226,8 @@ void ObservableSeries::append(Course course, double end, int halvings, std::vect
       if (halvings < most_halvings && course.begin < middle && middle < series.end) {
         append(course, middle, halvings + 1, all);
         append(course.from(middle), series.end, halvings + 1, all);
-      } else {
+      } else {  // wide enough to tell a zero from a jump
+        series.end = std::max(series.end, course.begin + std::ldexp(end - course.begin, -most_halvings));
         append_values(course, series.end, all);
       }
     } else {
@@ -219,13 +238,22 @@ void ObservableSeries::append(Course course, double end, int halvings, std::vect
   }
 }
 
-/// Where there is no series: g by its values at the ends, and the place between them where its sign changes.
+/// Where there is no series: g by its values at the ends (where it has a pole there, one double inside), and the place between
+/// them where its sign changes, from or to zero as well.
 void ObservableSeries::append_values(const Course& course, double end, std::vector<LocalSeries>& all) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  double a = value(course, course.begin), b = value(course, end);
+  const auto beside_pole = [&](double t, double inside) {
+    const double here = value(course, t);
+    return std::isinf(here) ? value(course, std::nextafter(t, inside)) : here;
+  };
+  const double first = beside_pole(course.begin, end), last = beside_pole(end, course.begin);
+  double a = first, b = last;
   if (!std::isfinite(a) || !std::isfinite(b)) return all.push_back({course.begin, end, {nan}});
-  if (sign(a) * sign(b) >= 0) return push({course.begin, end, {a, (b - a) / (end - course.begin)}}, all);
-  const double size = std::max(std::abs(a), std::abs(b));
+  if (sign(a) == sign(b)) return push({course.begin, end, {a, (b - a) / (end - course.begin)}}, all);
+  double size = std::max(std::abs(a), std::abs(b));  // of g about here: these may be zero and next to it
+  for (const double t : {course.begin - (end - course.begin), end + (end - course.begin)})
+    if (const double beside = std::abs(value(course, t)); std::isfinite(beside))
+      size = std::max(size, beside);
   double low = course.begin, high = end;
   for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high)) {
     const double here = value(course, middle);
@@ -235,7 +263,6 @@ void ObservableSeries::append_values(const Course& course, double end, std::vect
     (before ? a : b) = here;
   }
   const bool to_zero = std::max(std::abs(a), std::abs(b)) < 0.5 * size;
-  const double first = value(course, course.begin), last = value(course, end);
   push({course.begin, high, {first}}, all);
   push({high, end, {last}, to_zero ? LocalSeries::Join::zero : LocalSeries::Join::jump}, all);
 }
@@ -245,12 +272,25 @@ double LocalSeries::at(double t) const { return accurate_value(c, time_between(b
 bool LocalSeries::is_finite() const { return std::isfinite(rounding_of(c, 2 * (end - begin))); }
 
 namespace {
-/// Where g is zero at a change of a choice its last series crosses zero on the way beyond the change, or has not yet done so:
-/// neither is a crossing. Whether there is one, the signs before and after tell.
-void join_at_change(const LocalSeries& before, double value, LocalSeries& after,
-                    std::vector<Crossing>& found) {
-  int side = sign(value);
+/// The sign of a polynomial right after 0.
+int first_sign(const std::vector<double>& c) {
+  const auto first = std::ranges::find_if(c, [](double x) { return x != 0; });
+  return first == c.end() ? 0 : sign(*first);
+}
+
+/// Where two series join in one value: g comes there with the sign `side`, that after the last crossing. Returns the sign
+/// that it has had before it became zero there. Where g is zero its last series crosses zero on the way beyond its end, or has
+/// not yet done so: neither is a crossing, and what is found of it is taken back. Whether there is one, the signs before and
+/// after tell.
+int side_at_join(const LocalSeries& before, LocalSeries& after, int side, std::vector<Crossing>& found) {
+  std::vector<double>& c = after.c;
   const double h = before.end - before.begin;
+  if (sign(c[0]) != side && !before.to_change && c[0] != 0) {
+    const double value = accurate_value(before.c, h);
+    c[0] = sign(value) == side ? value : 0;
+  }
+  if (c[0] != 0 && (sign(c[0]) == side || !before.to_change)) return side;
+  if (std::abs(c[0]) <= 0x1p-40 * Terms(c, after.end - after.begin).sum) c[0] = 0;
   const auto is_beyond = [&](double t) {  // between there and the end g is next to zero
     return std::abs(before.at(t + 0.5 * (before.end - t))) <= same_value * Terms(before.c, h).sum;
   };
@@ -258,31 +298,34 @@ void join_at_change(const LocalSeries& before, double value, LocalSeries& after,
     side = found.back().rising ? -1 : 1;
     found.pop_back();
   }
-  std::vector<double>& c = after.c;
-  if (std::abs(c[0]) <= 0x1p-40 * Terms(c, after.end - after.begin).sum) c[0] = 0;
-  const auto first = std::ranges::find_if(c, [](double x) { return x != 0; });
-  const int goes = first == c.end() ? 0 : sign(*first);
-  if (side * goes < 0) found.push_back({after.begin, goes > 0});
+  return side;
 }
 }  // namespace
 
-std::vector<Crossing> crossings(std::span<LocalSeries> series) {
+std::vector<Crossing> crossings(std::span<LocalSeries> series, int before) {
   std::vector<Crossing> found;
-  std::optional<double> before;  // the value at the end of the series before
+  int side = before;  // the last sign of g that was not zero; 0: none since it began, or since it jumped
   const LocalSeries* last = nullptr;
   for (LocalSeries& local : series) {
-    auto& [begin, end, c, join, to_change] = local;
-    if (join == LocalSeries::Join::zero)
-      found.push_back({begin, c[0] > 0});
-    else if (join == LocalSeries::Join::value && last && last->to_change && sign(*before) != sign(c[0]))
-      join_at_change(*last, *before, local, found);
-    else if (join == LocalSeries::Join::value && before && sign(*before) != sign(c[0]))
-      c[0] = *before;
+    double leaves = local.begin;  // when g has left zero, if it begins there
+    if (!last) {
+      leaves = std::min(std::nextafter(local.begin, std::numeric_limits<double>::infinity()), local.end);
+      if (local.c[0] != 0) side = 0;
+    } else if (local.join == LocalSeries::Join::jump) {
+      side = 0;
+    } else if (local.join == LocalSeries::Join::value) {
+      side = side_at_join(*last, local, side, found);
+    }
     last = &local;
-    const double h = time_between(begin, end);
+    const int goes = first_sign(local.c);
+    if (side * goes < 0) found.push_back({leaves, goes > 0});
+    if (goes != 0) side = goes;
+    const double h = time_between(local.begin, local.end);
     if (h > 0)
-      for (const auto& [s, rising] : sign_changes(c, h)) found.push_back({time_after(begin, s), rising});
-    before = accurate_value(c, h);
+      for (const auto& [s, rising] : sign_changes(local.c, h)) {
+        found.push_back({time_after(local.begin, s), rising});
+        side = rising ? 1 : -1;
+      }
   }
   return found;
 }

@@ -66,6 +66,7 @@ const LocalSeries& EventWatch::Watched::series_at(double t) const {
 /// before it ends, the flight is taken to begin at zero: else c_0 would drive it, and a ball at rest would tremble or
 /// sink in. Elsewhere c_0 stands, so that it does not add up from flight to flight; a way back over zero at once is no
 /// crossing.
+/// Where g begins at zero otherwise the sign kept from before tells whether it crosses.
 void EventWatch::Watched::find_crossings() {
   std::vector<double>& c = series.front().c;
   const double c_0 = c[0];
@@ -77,43 +78,82 @@ void EventWatch::Watched::find_crossings() {
     if (top >= 0x1p20 * std::abs(c_0)) c[0] = c_0;
   }
   side = first_sign(c, on_event ? 1 : 0);
-  crossings = jetlag::crossings(series);
+  if (side == 0) side = before;
+  crossings = jetlag::crossings(series, before);
   if (on_event && sign(c[0]) * side < 0 && !crossings.empty()) crossings.erase(crossings.begin());
 }
 
-/// The sign that the series give g at t: that after the last crossing or jump, or from the beginning on.
+/// The series that g goes on with at t: of two that meet there the later one.
+const LocalSeries& EventWatch::Watched::series_from(double t) const {
+  const auto beyond = std::ranges::upper_bound(series, t, {}, &LocalSeries::begin);
+  return beyond == series.begin() ? *beyond : *std::prev(beyond);
+}
+
+/// The last sign up to t that the series give g: that after the last crossing or jump, or from the beginning on.
 int EventWatch::Watched::sign_after(double t) const {
   int after = side;
   double since = series.front().begin;
-  for (const LocalSeries& local : series)
-    if (local.join == LocalSeries::Join::jump && local.begin <= t) {
-      after = first_sign(local.c, 0);
-      since = local.begin;
-    }
+  const auto goes_on_with = [&](int sign, double from) {
+    after = sign;
+    since = from;
+  };
+  for (const LocalSeries& local : series) {
+    const int goes = first_sign(local.c, 0);
+    if (local.join == LocalSeries::Join::jump && local.begin <= t)
+      goes_on_with(goes, local.begin);
+    else if (&local != &series.front() && local.begin < t && goes != 0)
+      goes_on_with(goes, local.begin);
+  }
   if (!crossings.empty() && crossings.back().time >= since) after = crossings.back().rising ? 1 : -1;
   return after;
 }
 
+/// g of the motion carried on a little beyond t, the end of what is known.
+EventWatch::Watched::Ahead EventWatch::Watched::ahead(double t, const Piece& piece) {
+  const double later = std::max(t + 0x1p-16 * (t - piece.begin), std::nextafter(t, infinity));
+  return {later, g(piece.at(later))};
+}
+
+/// Where g goes from zero at t: the sign that its series has a little further on, unless g there is another value; 0 where it
+/// stays at zero.
+int EventWatch::Watched::sign_from_zero(double t, const Ahead& ahead) const {
+  const LocalSeries& local = series_from(t);
+  const double s = ahead.time - local.begin, expected = accurate_value(local.c, s);
+  const bool same = !(std::abs(ahead.value - expected) > rounding_of(local.c, s));
+  return same ? sign(expected) : sign(ahead.value);
+}
+
+/// Whether the last crossing has not gone beyond rounding up to t; then it is left to the next step.
+bool EventWatch::Watched::take_back_crossing_at(double t, double rounding) {
+  if (crossings.empty()) return false;
+  const double middle = crossings.back().time + 0.5 * (t - crossings.back().time);
+  if (std::abs(series_at(middle).at(middle)) > rounding) return false;
+  crossings.pop_back();
+  return true;
+}
+
 /// Makes the crossings up to t agree with the state there. Where they do not, by rounding: a crossing that has not gone
 /// beyond rounding since is left to the next step; otherwise there is one more, at t.
-void EventWatch::Watched::settle(double t, const State<double>& state) {
+void EventWatch::Watched::settle(double t, const State<double>& state, const Piece& piece) {
   std::erase_if(crossings, [t](const Crossing& at) { return at.time > t; });
-  const LocalSeries& local = series_at(t);
   const int after = sign_after(t);
   const double value = g(state);
-  // At zero the polynomial tells where it goes, a little further on.
-  const double s = t - local.begin;
-  const int truth =
-      value != 0 ? sign(value) : sign(accurate_value(local.c, s + 0x1p-16 * (local.end - local.begin)));
-  if (truth == 0 || after == 0 || truth == after) return;
-  // A difference is rounding where both are small beside the terms of the series; elsewhere g jumps at t.
-  const double rounding = 2 * (std::abs(local.at(t)) + std::abs(value));
-  if (rounding > 0x1p-20 * size_of(local.c, s)) return;
-  if (!crossings.empty()) {
-    const double middle = crossings.back().time + 0.5 * (t - crossings.back().time);
-    if (std::abs(series_at(middle).at(middle)) <= rounding) return crossings.pop_back();
+  before = sign(value);
+  stays = false;
+  if (value != 0 && (after == 0 || before == after)) return;
+  // A difference is rounding where both are small beside what g is about here; elsewhere g jumps at t.
+  const Ahead next = ahead(t, piece);
+  const LocalSeries& local = series_at(t);
+  const double rounding = 2 * (std::abs(series_from(t).at(t)) + std::abs(value));
+  if (rounding > 0x1p-20 * std::max(size_of(local.c, t - local.begin), std::abs(next.value))) return;
+  if (value == 0) before = sign_from_zero(t, next);
+  stays = before == 0;
+  if (stays) {
+    take_back_crossing_at(t, rounding);
+    before = sign_after(t);
+  } else if (after != 0 && before != after && !take_back_crossing_at(t, rounding)) {
+    crossings.push_back({t, before > 0});
   }
-  crossings.push_back({t, truth > 0});
 }
 
 // ---- all events in one step -------------------------------------------------------------------------------
@@ -158,6 +198,8 @@ void EventWatch::change(const std::vector<Hit>& hits, State<double>& state) {
     if (state.time != time) throw std::invalid_argument(watched->name + ": change() must keep the time");
     require_shape(state, particles, dimension);
   }
+  for (Watched& watched : events_)
+    if (!watched.stays) watched.before = 0;  // where it goes has been told of the motion before the change
   for (const auto& [watched, before] : fired) {
     const LocalSeries& local = watched->series_at(time);
     const double rounding = rounding_of(local.c, time - local.begin);
@@ -192,6 +234,7 @@ Report EventWatch::look(Piece piece, State<double>& state) {
 
   State<double> at_last = last == state.time ? state : piece.at(last);
   for (Watched& watched : events_) {
+    watched.before = 0;
     const bool fires_change =
         watched.event.change && std::ranges::any_of(watched.crossings, [&](const Crossing& at) {
           return watched.counts(at) && at.time <= last;
@@ -199,7 +242,7 @@ Report EventWatch::look(Piece piece, State<double>& state) {
     if (fires_change)  // the change decides where the state is
       std::erase_if(watched.crossings, [last](const Crossing& at) { return at.time > last; });
     else
-      watched.settle(last, at_last);
+      watched.settle(last, at_last, piece);
     watched.on_event = false;
   }
   const std::vector<Hit> hits = all_hits();

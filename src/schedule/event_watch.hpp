@@ -7,6 +7,9 @@
 // same states, so it finds each crossing once, whatever rounding does to the polynomials at the ends of the steps. A
 // step that is cut at a terminal event whose state is, by rounding, not yet beyond it is taken up by another one, and
 // found there.
+//
+// Where g of the state is zero, the motion carried on a little beyond the step tells where g goes. Where g stays at zero
+// there, the sign that it had before is kept for the steps to come.
 
 #include <string>
 #include <vector>
@@ -38,13 +41,22 @@ class EventWatch {
     int side = 0;                       // the sign of g right after the beginning of the step
     std::vector<Crossing> crossings{};  // in order, whether they count or not
     bool on_event = false;              // at the beginning: it has just fired and g is still zero
+    int before = 0;                     // at the beginning, where g is zero: the sign that it has had last
+    bool stays = false;                 // whether g stays at zero there, as far as is known
 
     bool counts(const Crossing& at) const;
     bool leaves() const { return event.terminal || event.change; }
     const LocalSeries& series_at(double t) const;
+    const LocalSeries& series_from(double t) const;
     int sign_after(double t) const;
     void find_crossings();
-    void settle(double t, const State<double>& state);
+    struct Ahead {
+      double time, value;
+    };
+    Ahead ahead(double t, const Piece& piece);
+    int sign_from_zero(double t, const Ahead& ahead) const;
+    bool take_back_crossing_at(double t, double rounding);
+    void settle(double t, const State<double>& state, const Piece& piece);
   };
   struct Hit {
     int event;

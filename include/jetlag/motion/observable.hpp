@@ -15,8 +15,9 @@
 // than that, and below rounding from where it is seen, is missed.
 //
 // Kinks and jumps. A series ends where a choice in g changes (abs, min, max, select, the root of what reaches zero), to one
-// ulp of time, and another one begins. Where neither converges, in 2^-30 of a step, g is followed by its values: a change of
-// sign is sought by bisection, and is a crossing if g goes to zero there (cbrt), none if it jumps or has a pole.
+// ulp of time, and another one begins. Where neither converges, in 2^-30 of a step, g is followed by its values, also from a
+// singular point on which a step begins: a change of sign is sought by bisection, and is a crossing if g goes to zero there
+// (cbrt), none if it jumps or has a pole.
 
 #include <concepts>
 #include <span>
@@ -62,7 +63,8 @@ struct LocalSeries {
   double begin, end;
   std::vector<double> c;
 
-  /// How it follows the one before: in one value, in another value, or in other sign through zero, without a series there.
+  /// How it follows the one before: in one value, in another value, or with another sign, or none, by way of zero, without a
+  /// series there.
   enum class Join { value, jump, zero } join = Join::value;
   bool to_change = false;  // whether it ends where a choice in g changes, a few roundings later
 
@@ -93,6 +95,7 @@ class ObservableSeries {
     Course from(double t) const;
   };
   void append(Course course, double end, int halvings, std::vector<LocalSeries>& all);
+  bool passes(Course& course, double end, std::vector<LocalSeries>& all);
   void append_values(const Course& course, double end, std::vector<LocalSeries>& all);
   std::vector<double> expand(const Course& course);
   bool conditions_converge(double h);
@@ -114,9 +117,12 @@ struct Crossing {
 
 /// All crossings in (begin, end] of finite series that follow each other, in order: the polynomial changes sign between
 /// the double before `time` and `time`, in exact arithmetic. See series/calculus/roots.hpp for roots close together and touches.
-/// Neighbours that join in one value do so to rounding only. Where their values differ in sign, which would hide a crossing
-/// or repeat it, coefficient 0 of the later one becomes the value at the end of the earlier one.
-std::vector<Crossing> crossings(std::span<LocalSeries> series);
+/// Where g is zero for a while, or where two series join, the signs before and after tell: g crosses where it leaves zero to
+/// the other side than it came from. A jump is none, and after it g begins anew.
+/// before: the sign from which g has come to zero, where it begins there; 0: it is left, not crossed.
+/// Neighbours that join in one value do so to rounding only. Where a later one begins on another side than the earlier one
+/// has ended, which would hide a crossing or repeat it, its coefficient 0 becomes the value at that end, or zero.
+std::vector<Crossing> crossings(std::span<LocalSeries> series, int before = 0);
 
 /// As above for an observable along a piece. Throws std::invalid_argument when it reads a coordinate that does not
 /// exist, and where its series is not finite.

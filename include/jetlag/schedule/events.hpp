@@ -13,12 +13,16 @@
 //   - g has Taylor series during a step (motion/observable.hpp), one for each part between its kinks; an event is a change of
 //     its sign, and none is missed that rises out of rounding. Touching without crossing is none, and neither is a g that is
 //     zero throughout. A g that is zero but for rounding, such as an invariant of the motion, crosses at random.
-//   - A change of sign at a jump or a pole is no event. Where g ends (the root of what becomes negative) the run ends as
-//     non_finite, and the report names the event and the time.
+//   - Where g is zero for a while (max(x - 1, 0) + min(x, 0)) the signs before and after count: it crosses where it leaves zero
+//     to the other side, once, whatever the steps are. Where it stays at zero, or goes back, it does not cross.
+//   - A change of sign at a jump or a pole is no event. After a jump g begins anew: one that has jumped to zero leaves it to
+//     either side without firing. Where g ends (the root of what becomes negative) the run ends as non_finite, and the
+//     report names the event and the time.
 //   - Its time is the first double after the change: g changes sign between the double before and it. The clock itself
 //     is off by half an ulp (motion/trajectory.hpp), the motion by the error of its method.
 //   - At the ends of steps and runs g of the state decides: a crossing there is found once, before or after.
-//   - A state that begins on the event (g = 0) does not fire; neither does the jump that a change() makes.
+//   - A state that begins on the event (g = 0) does not fire; neither does the jump that a change() makes. A run does not
+//     know what another one has seen: where it begins while g is zero for a while, g leaves without firing.
 //   - Events at the same time come in the order of their numbers.
 // A run that stops at a terminal event has passed it: g of its state has the new sign or is zero. So it can go on from
 // there and the event does not fire again. For that it may stop a few doubles later than the crossing, as many as the
