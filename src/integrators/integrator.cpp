@@ -25,10 +25,11 @@ bool all_finite(const Expansion<double>& series, Report& report) {
     const std::string what = "coefficient " + std::to_string(k) + " of the motion of particle " +
                              std::to_string(bad) + " is not finite at t = " + shown(series.time());
     const char* why =
-        k > 2 ? ": the force on it has no series there (a norm or root of what is zero?), or the motion has "
-                "blown up; start beside that point, write the force so that it is smooth or take a shorter step"
-              : ": the force is singular there (particles that coincide?), or the motion has blown up; "
-                "separate the particles, soften the force or take a shorter step";
+        k > 2
+            ? ": the force on it has no series there (a norm or root of what is zero?), or the motion has "
+              "blown up; start beside that point, write the force so that it is smooth or take a shorter step"
+            : ": the force is singular there (particles that coincide?), or the motion has blown up; "
+              "separate the particles, soften the force or take a shorter step";
     report = {Outcome::non_finite, what + why, bad};
     return false;
   }

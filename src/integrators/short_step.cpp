@@ -22,19 +22,21 @@ int known_order(const Expansion<double>& series, int particle) {
 }
 
 Report no_series_beyond(double time, int particle) {
-  return {Outcome::non_finite,
-          "the force on particle " + std::to_string(particle) + " has no series at t = " + shown(time) +
-              ", nor just after (a norm or root of what is zero?): the motion may go on in more than one way, or "
-              "it stays at a singular point; start beside it, or write the force so that it is smooth there",
-          particle};
+  return {
+      Outcome::non_finite,
+      "the force on particle " + std::to_string(particle) + " has no series at t = " + shown(time) +
+          ", nor just after (a norm or root of what is zero?): the motion may go on in more than one way, or "
+          "it stays at a singular point; start beside it, or write the force so that it is smooth there",
+      particle};
 }
 
 Report never_short_enough(double time, int particle) {
-  return {Outcome::step_underflow,
-          "the force on particle " + std::to_string(particle) + " has no series at t = " + shown(time) +
-              " (a norm or root of what is zero?), and no step is short enough to do without; start beside it, "
-              "or write the force so that it is smooth there",
-          particle};
+  return {
+      Outcome::step_underflow,
+      "the force on particle " + std::to_string(particle) + " has no series at t = " + shown(time) +
+          " (a norm or root of what is zero?), and no step is short enough to do without; start beside it, "
+          "or write the force so that it is smooth there",
+      particle};
 }
 
 }  // namespace

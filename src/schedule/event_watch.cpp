@@ -228,9 +228,12 @@ Report EventWatch::look(Piece piece, State<double>& state) {
     if (!watched.series.empty()) watched.find_crossings();
   }
   const double last = last_time(state.time);
-  if (broken < last)
+  if (broken < last) {
+    for (const Hit& hit : all_hits())  // none of them ends the run or changes the state
+      if (hit.at.time < broken) hand_out(hit, piece.at(hit.at.time));
     return fail(Outcome::non_finite, broken_name + ": g has no series at t = " + number(broken) +
                                          "; it must be smooth along the motion, up to where the run ends");
+  }
 
   State<double> at_last = last == state.time ? state : piece.at(last);
   for (Watched& watched : events_) {

@@ -21,7 +21,8 @@ std::vector<bool> that_stay(const State<T>& state, const std::vector<bool>& rest
   if (std::ranges::none_of(resting, [](bool rests) { return rests; })) return stay;
   const auto beside = [&](Coordinates<T> State<T>::* which, int c, const T& off) {
     State<T> other = state;
-    for (std::size_t i = 0; i < resting.size(); ++i)  // not all by as much: what depends on differences is seen
+    for (std::size_t i = 0; i < resting.size();
+         ++i)  // not all by as much: what depends on differences is seen
       if (resting[i]) (other.*which)(i, c) += off * T(1 + i % 7 / 8.0);
     return Coordinates<T>(accelerations(other));
   };

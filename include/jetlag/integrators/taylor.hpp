@@ -124,7 +124,7 @@ class RandomTaylor final : public Integrator {
   Options options_;
   StoppedSeries<Expansion<double>> series_;
   ToKinks control_;
-  std::vector<int> known_;             // the orders of each particle in a step from a singular point; empty in others
+  std::vector<int> known_;  // the orders of each particle in a step from a singular point; empty in others
   StepsToChanges<double> changes_;
   std::vector<bool> fixed_;
   int moving_;

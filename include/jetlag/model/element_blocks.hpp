@@ -313,7 +313,9 @@ void ElementBlocks<T>::find_change(int orders, T& most, std::optional<T>& first,
         if (detail::outweighs_rest(series + lane, next_order, 1, orders - 1, most)) continue;
         for (int k = 0; k < orders; ++k) c[k] = series[k * next_order + lane];
         std::span<const T> known = c;
-        if (of_known) known = known.first(std::ranges::find_if_not(c, [](const T& x) { return isfinite(x); }) - c.begin());
+        if (of_known)
+          known =
+              known.first(std::ranges::find_if_not(c, [](const T& x) { return isfinite(x); }) - c.begin());
         find_first_change<T>(known, at_zero, most, first);
       }
     }

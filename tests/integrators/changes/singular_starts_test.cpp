@@ -118,8 +118,9 @@ TEST(SingularStart, FallsFromRestAgainstDragInAnyDirection) {
     for (const std::array<double, 3> g :
          {std::array{9.8, 0.0, 0.0}, std::array{-3.0, 4.0, 0.0}, std::array{1.0, -2.0, 2.0}})
       for (const int dimension : {1, 2, 3}) {
-        const double size =
-            dimension == 1 ? std::abs(g[0]) : dimension == 2 ? std::hypot(g[0], g[1]) : std::hypot(g[0], g[1], g[2]);
+        const double size = dimension == 1   ? std::abs(g[0])
+                            : dimension == 2 ? std::hypot(g[0], g[1])
+                                             : std::hypot(g[0], g[1], g[2]);
         System<> system(dimension, {1.0});
         system.add<QuadraticDrag>({{0}}, {{c}});
         system.add<UniformField>({{0}}, {{g[0], g[1], g[2]}});
@@ -234,7 +235,8 @@ TEST(SingularStart, HalfDiscOfForceFromItsEdge) {  // v(1/2) = pi/16, x(1/2) = 1
   System<> system(1, {1.0});
   system.add<HalfDisc>({{0}}, {none});
   for (const Way& way : ways()) {
-    if (way.control()->is_given()) continue;  // no step of one length follows a root from beside its branch point
+    if (way.control()->is_given())
+      continue;  // no step of one length follows a root from beside its branch point
     State<> state = at_rest(1, 1);
     const Report report = run(way, system, state, 0.5);
     EXPECT_EQ(report.outcome, Outcome::success) << way.name << ": " << report.message;
@@ -243,7 +245,8 @@ TEST(SingularStart, HalfDiscOfForceFromItsEdge) {  // v(1/2) = pi/16, x(1/2) = 1
   }
 }
 
-TEST(SingularStart, AForceThatComesBackToZeroIsNotOverlooked) {  // at t = 1 as at t = 0; v(1) = pi/8, x(1) = pi/16
+TEST(SingularStart,
+     AForceThatComesBackToZeroIsNotOverlooked) {  // at t = 1 as at t = 0; v(1) = pi/8, x(1) = pi/16
   System<> system(1, {1.0});
   system.add<HalfDisc>({{0}}, {none});
   for (const Way& way : ways()) {

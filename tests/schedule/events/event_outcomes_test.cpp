@@ -138,6 +138,21 @@ TEST(Events, MayEndARunBeforeTheirFunctionCeasesToExist) {
   EXPECT_NEAR(state.time, std::acos(1e-4), 20 * eps);
 }
 
+TEST(Events, BeforeTheirFunctionCeasesToExistAreHandedOut) {
+  // sqrt(cos t) = 1/100 at acos(1e-4), 1e-4 s before pi/2, in the same step; the run ends there, and knows it.
+  const Problem scene = oscillator();
+  std::vector<EventHit> hits;
+  RunOptions options;
+  options.events = {
+      {.name = "root", .g = [](const auto&, const auto& x, const auto&) { return sqrt(x(0, 0)) - 0.01; }}};
+  options.hits = &hits;
+  State<double> state = scene.start;
+  EXPECT_EQ(in_steps(scene, 0.25).run(state, 10.0, options).outcome, Outcome::non_finite);
+  ASSERT_EQ(hits.size(), 1u);
+  EXPECT_NEAR(hits[0].time, std::acos(1e-4), 20 * eps);
+  EXPECT_FALSE(hits[0].rising);
+}
+
 TEST(Events, RefuseWhatDoesNotExist) {
   const Problem scene = oscillator();
   RunOptions options;
