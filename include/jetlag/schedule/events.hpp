@@ -17,8 +17,8 @@
 //     to the other side, once, whatever the steps are. Where it stays at zero, or goes back, it does not cross.
 //   - A change of sign at a jump or a pole is no event. After a jump g begins anew: one that has jumped to zero leaves it to
 //     either side without firing. Where g ends (the root of what becomes negative) the run ends as non_finite, and the
-//     report names the event and the time; what has
-//     happened before in that step is handed out, though the state is that of its beginning.
+//     report names the event and the time; what happens before in that step is handed out, though the state is that of
+//     its beginning.
 //   - Its time is the first double after the change: g changes sign between the double before and it. The clock itself
 //     is off by half an ulp (motion/trajectory.hpp), the motion by the error of its method.
 //   - At the ends of steps and runs g of the state decides: a crossing there is found once, before or after.
