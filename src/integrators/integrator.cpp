@@ -22,15 +22,12 @@ bool all_finite(const Expansion<double>& series, Report& report) {
   for (int k = 0; k <= series.order(); ++k) {
     const int bad = first_not_finite(series.position(k));
     if (bad < 0) continue;
-    const std::string what = "coefficient " + std::to_string(k) + " of the motion of particle " +
-                             std::to_string(bad) + " is not finite at t = " + shown(series.time());
-    const char* why =
-        k > 2
-            ? ": the force on it has no series there (a norm or root of what is zero?), or the motion has "
-              "blown up; start beside that point, write the force so that it is smooth or take a shorter step"
-            : ": the force is singular there (particles that coincide?), or the motion has blown up; "
-              "separate the particles, soften the force or take a shorter step";
-    report = {Outcome::non_finite, what + why, bad};
+    report = {
+        Outcome::non_finite,
+        "coefficient " + std::to_string(k) + " of the motion of particle " + std::to_string(bad) +
+            " is not finite at t = " + shown(series.time()) + ": " + cause_of_no_coefficient(k) +
+            ", or the motion has blown up; start beside that place, soften the force or take a shorter step",
+        bad};
     return false;
   }
   return true;

@@ -83,14 +83,14 @@ int RandomTaylor::least_known() const {
   return static_cast<int>(std::ranges::min_element(known_) - known_.begin());
 }
 
-/// Whether the forces are those to which the series leads, at the end of the step and at two times within it: there the force
-/// may come back to where it was. The state at the end stays in next_.
+/// Whether the forces are those to which the series leads, at the end of the step and within it. The state at the end stays in next_.
 bool RandomTaylor::agrees_all_along(const State<double>& from, double h, ShortStepBound& bound) {
   // Just beyond a change of a choice forces have gone another way: a little before.
   const double before = h * (1 - 0x1p-20);
   const double last = changes_.is_to_change() && advances(from.time, before) ? before : h;
-  for (const double part : {1.0, 0.62, 0.38})
-    if (!agrees_at(from, part * last, bound)) return false;
+  if (!agrees_at(from, last, bound)) return false;
+  for (const double part : looks_within_a_step)
+    if (advances(from.time, part * last) && !agrees_at(from, part * last, bound)) return false;
   sum(from, h, next_);
   return next_.position.allFinite() && next_.velocity.allFinite();
 }

@@ -101,19 +101,25 @@ class FirstOrderTaylor : public FirstOrderBase<T> {
     return size;
   }
 
+  static constexpr bool checks_steps = true;
+
   void start(const FirstOrderState<T>& state, bool backwards);
   bool has_conditions() const { return series().has_conditions(); }
-  std::optional<T> first_change(T& h) { return this->series_.series().first_change(h); }
+  std::optional<T> first_change(T& h, bool of_known) {
+    return this->series_.series().first_change(h, of_known);
+  }
   int known_orders() const;
   double scale() const;
   struct Defect {
     double defect, size;
+    double begun =
+        0;  // the size at the beginning, where the motion reaches it before it has become another one
   };
   Defect defect(const FirstOrderState<T>& end, const T& h);
   double rounding_of_time(const T& h);
   void take_extent(const FirstOrderState<T>& state);
   double extent() const;
-  bool rests();
+  bool rests(const FirstOrderState<T>& begin, const FirstOrderState<T>& end);
   int orders_read() const { return this->options_.degree; }
   double jorba_zou(double max_step) const;
   void sum(const FirstOrderState<T>& from, const T& h, FirstOrderState<T>& to) const;
@@ -159,7 +165,7 @@ double FirstOrderTaylor<T>::scale() const {
 
 /// Whether y' = 0 at the start of the series, and of a y that is a little off in one component, f leads no farther off.
 template <class T>
-bool FirstOrderTaylor<T>::rests() {
+bool FirstOrderTaylor<T>::rests(const FirstOrderState<T>&, const FirstOrderState<T>&) {
   if (series().norm(1) != T(0)) return false;
   std::vector<T> y;
   for (int i = 0; i < series().size(); ++i) y.push_back(series()[i][0]);

@@ -9,50 +9,49 @@
 
 #include "jetlag/base/text.hpp"
 #include "jetlag/integrators/one_clock_taylor.hpp"
+#include "jetlag/integrators/short_step.hpp"
 
 namespace jetlag {
 
 /// Whether the end of the step agrees with f there, after halving it where it does not. False where no step does.
 template <class Method, class Series, class State, class Options>
-bool OneClockTaylor<Method, Series, State, Options>::agrees_with_f(const T& time, T& h)
-  requires knows_f
-{
+bool OneClockTaylor<Method, Series, State, Options>::agrees_with_f(const T& time, T& h) {
   const double eps = static_cast<double>(std::numeric_limits<T>::epsilon());
   const int degree = options_.degree;
-  const bool singular = known_ < series_.top();
+  const bool singular = is_singular();
   const double allowed =
       singular ? 8 * eps : std::max(0x1p16 * eps, 16 * degree * std::exp(-2.0 * (degree - 1)));
-  double unseen = 0;  // from a singular point at which nothing moves: what is nothing beside a long step
+  double unseen = 0;   // from a singular point at which nothing moves: what is nothing beside a long step
+  double reached = 0;  // the size of a motion that is still that of the beginning
   const auto agrees = [&](const T& length) {
-    const auto [defect, size] = self().defect(next_, length);
-    if (singular && unseen == 0 && std::isfinite(size)) unseen = 0x1p-80 * size;
-    const double bound = std::max(allowed * size, unseen);
+    const auto [defect, size, begun] = self().defect(next_, length);
+    if (singular && !std::isfinite(size)) return false;
+    if (singular && unseen == 0) unseen = 0x1p-80 * size;
+    if (singular && reached == 0 && defect <= begun) reached = begun;
+    const double bound = std::max(allowed * std::max(size, reached), unseen);
     return !(defect > bound && defect > bound + 8 * self().rounding_of_time(length));
+  };
+  const auto agrees_within = [&](const T& length) {
+    for (const double part : looks_within_a_step) {
+      const T inside = length * T(part);
+      if (T(time + inside) == time) continue;
+      self().sum(begin_, inside, next_);
+      if (!agrees(inside)) return false;
+    }
+    self().sum(begin_, length, next_);
+    return true;
   };
   if (changes_.is_to_change()) {  // at its end f has gone another way: a little before
     const T before = h * T(1 - 0x1p-20);
     if (changes_.is_instant() || T(time + before) == T(time + h)) return true;
     self().sum(begin_, before, next_);
-    const bool right = agrees(before);
+    const bool right = agrees(before) && (!singular || agrees_within(before));
     if (!right) h = before;
     self().sum(begin_, h, next_);
     if (right) return true;
   }
-  // From a singular point the orders that are known may say nothing of what is in between.
-  const auto agrees_inside = [&] {
-    bool all = true;
-    for (const double part : {0.0625, 0.21, 0.345, 0.52, 0.66, 0.815, 0.94}) {
-      if (!singular || !all) break;
-      const T inside = h * T(part);
-      if (T(time + inside) == time) continue;
-      self().sum(begin_, inside, next_);
-      all = agrees(inside);
-    }
-    if (singular) self().sum(begin_, h, next_);
-    return all;
-  };
   int halvings = 0;
-  while (!agrees(h) || !agrees_inside()) {
+  while (!agrees(h) || (singular && !agrees_within(h))) {
     ++work_.rejected;
     ++halvings;
     h = h / T(2);
@@ -68,14 +67,12 @@ bool OneClockTaylor<Method, Series, State, Options>::agrees_with_f(const T& time
 /// Whether the series at the end of a step from a singular point is whole again, or the motion rests there and would come
 /// back: as y = 0 of y' = -sqrt(y), and not that of y' = sqrt(y), from which it may depart at any time.
 template <class Method, class Series, class State, class Options>
-bool OneClockTaylor<Method, Series, State, Options>::leads_on(const T& h)
-  requires knows_f
-{
+bool OneClockTaylor<Method, Series, State, Options>::leads_on(const T& h) {
   State end = next_;
   end.time = T(begin_.time + h);
   self().start(end, h < T(0));
   series_.grow_to(self().orders_read());
-  const bool whole = self().known_orders() >= series_.series().order() || self().rests();
+  const bool whole = self().known_orders() >= options_.degree || self().rests(begin_, end);
   self().start(begin_, h < T(0));
   series_.grow_to(self().orders_read());
   return whole;
@@ -84,11 +81,11 @@ bool OneClockTaylor<Method, Series, State, Options>::leads_on(const T& h)
 /// Just beyond the change of a choice f has gone another way: a little before.
 template <class Method, class Series, class State, class Options>
 void OneClockTaylor<Method, Series, State, Options>::add_defect(const T& h)
-  requires knows_f
+  requires(Method::checks_steps)
 {
   const T at = changes_.is_to_change() ? T(h * T(1 - 0x1p-20)) : h;
   if (at != h) self().sum(begin_, at, next_);
-  const auto [defect, size] = self().defect(next_, at);
+  const auto [defect, size, begun] = self().defect(next_, at);
   if (at != h) self().sum(begin_, h, next_);
   self().take_extent(begin_);
   self().take_extent(next_);
@@ -102,7 +99,7 @@ void OneClockTaylor<Method, Series, State, Options>::add_defect(const T& h)
 
 template <class Method, class Series, class State, class Options>
 std::string OneClockTaylor<Method, Series, State, Options>::warning() const {
-  if constexpr (knows_f) {
+  if constexpr (Method::checks_steps) {
     if (departure_ > 1e-3 * self().extent())
       return "the steps are given and cannot be shortened, but f at their ends contradicts the series from "
              "their "

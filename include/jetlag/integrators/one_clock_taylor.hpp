@@ -57,9 +57,9 @@ struct OneClockRunOptions {
 ///   - a step ends just beyond the first time at which a choice that was made at its beginning changes, of any length that
 ///     was asked for. 100 such steps in a row of next to no length, as of a motion that slides along a jump or chatters
 ///     about it, end the run as step_underflow;
-/// and of a Method that computes f at a state (known_orders, scale, defect, rests):
 ///   - where the series has no more than its first coefficients, as that of |v| v has for v = 0, the step uses these and is
-///     so short that they suffice, also at seven places within it, if there is a whole series at its end;
+///     so short that they suffice within it and at its end, if there is a whole series there or the motion rests;
+/// and of a Method that checks all steps that are chosen:
 ///   - where f is not recorded otherwise (a root that reaches zero, the cut of atan2) it shows in the defect: y' at the end of
 ///     a step must be f there,
 ///
@@ -118,6 +118,8 @@ class OneClockTaylor {
 
   /// The last term of the sums of a step.
   int top() const { return std::min(series_.top(), known_); }
+  /// Whether the series of the step has no more than its first coefficients.
+  bool is_singular() const { return known_ < series_.top(); }
 
   Options options_;
   StoppedSeries<Series> series_;
@@ -134,17 +136,13 @@ class OneClockTaylor {
   }
   static TruncationLaw law_of(const Options& options) { return known_beforehand(truncation_of(options)); }
 
-  static constexpr bool knows_f = requires(Method& method) { method.known_orders(); };
-
   T proposal(const T& limit) const;
   T length(const T& limit);
   T up_to_change(const T& h);
-  bool agrees_with_f(const T& time, T& h)
-    requires knows_f;
-  bool leads_on(const T& h)
-    requires knows_f;
+  bool agrees_with_f(const T& time, T& h);
+  bool leads_on(const T& h);
   void add_defect(const T& h)
-    requires knows_f;
+    requires(Method::checks_steps);
   Report refusal(const T& time, const T& h, bool contradicted) const;
   Report underflow(const T& time, const T& h) const;
 
@@ -188,17 +186,16 @@ auto OneClockTaylor<Method, Series, State, Options>::step(State& state, const T&
   }
   series_.stop(h, update_);
   self().sum(state, h, next_);
-  if constexpr (knows_f) {
-    const bool singular = known_ < series_.top();
-    if (!options_.law && (singular || !options_.step) && !agrees_with_f(state.time, h)) {
-      if (self().series_is_finite(report)) report = refusal(state.time, h, true);
-      return T(0);
-    }
-    if (options_.step && !options_.law && !singular) add_defect(h);
-    if (singular && !leads_on(h)) {
-      self().series_is_finite(report);
-      return T(0);
-    }
+  const bool singular = is_singular(), checked = Method::checks_steps && !options_.law;
+  if ((singular || (checked && !options_.step)) && !agrees_with_f(state.time, h)) {
+    if (self().series_is_finite(report)) report = refusal(state.time, h, true);
+    return T(0);
+  }
+  if constexpr (Method::checks_steps)
+    if (checked && options_.step && !singular) add_defect(h);
+  if (singular && !leads_on(h)) {
+    self().series_is_finite(report);
+    return T(0);
   }
   if (!self().is_finite(next_, report)) {
     Report of_series;
@@ -225,20 +222,14 @@ template <class Method, class Series, class State, class Options>
 auto OneClockTaylor<Method, Series, State, Options>::length(const T& limit) -> T {
   using std::abs;
   known_ = std::numeric_limits<int>::max();
-  if constexpr (!knows_f) {
-    if (options_.step && self().has_conditions()) series_.grow_to(self().orders_read());
+  if (options_.step && (!options_.law || self().has_conditions())) series_.grow_to(self().orders_read());
+  const int known = options_.law ? 0 : self().known_orders();
+  if (known < 1 || known >= std::min(series().order(), series_.stops().degree()))
     return up_to_change(proposal(limit));
-  } else {
-    if (options_.step && (!options_.law || self().has_conditions())) series_.grow_to(self().orders_read());
-    const int known = self().known_orders();
-    if (options_.law || known < 1 || known >= std::min(series().order(), series_.stops().degree()))
-      return up_to_change(proposal(limit));
-    known_ = known;
-    changes_.take_none();
-    const double scale = self().scale();
-    const T most = scale > 0 && scale < static_cast<double>(T(abs(limit))) ? T(scale) : abs(limit);
-    return limit < T(0) ? T(-most) : most;
-  }
+  known_ = known;
+  const double scale = self().scale();
+  const T most = scale > 0 && scale < static_cast<double>(T(abs(limit))) ? T(scale) : abs(limit);
+  return up_to_change(limit < T(0) ? T(-most) : most);
 }
 
 /// The step h, or what leads just beyond the first change of a condition: far enough that the next step sees it, which may
@@ -253,7 +244,7 @@ auto OneClockTaylor<Method, Series, State, Options>::up_to_change(const T& h) ->
   const T unit = abs(series().time_unit());
   T reach = T(abs(h) / unit);
   const T most = reach;
-  std::optional<T> change = self().first_change(reach);
+  std::optional<T> change = self().first_change(reach, is_singular());
   if (change) change = T(*change * unit);
   const T step = changes_.step(T(abs(h)), reach < most ? T(reach * unit) : abs(h), series().time(), change);
   return h < T(0) ? T(-step) : step;

@@ -17,9 +17,12 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "jetlag/base/text.hpp"
 #include "jetlag/integrators/one_clock_taylor.hpp"
+#include "jetlag/integrators/rest.hpp"
+#include "jetlag/model/finite.hpp"
 #include "jetlag/motion/expansion.hpp"
 #include "jetlag/truncation/draws.hpp"
 #include "jetlag/truncation/sequential.hpp"
@@ -62,12 +65,25 @@ class ParticleTaylor : public ParticleTaylorBase<T> {
   using Base::finite;
   using Base::series;
 
+  static constexpr bool checks_steps = false;
+
   void start(const State<T>& state, bool backwards) {
     this->series_.lead_backwards(backwards);
     this->series_.start(state);
   }
   bool has_conditions() const { return series().has_conditions(); }
-  std::optional<T> first_change(T& h) { return this->series_.series().first_change(h); }
+  std::optional<T> first_change(T& h, bool of_known) {
+    return this->series_.series().first_change(h, of_known);
+  }
+  int known_orders() const;
+  double scale() const { return 0; }  // from a singular point the longest step is tried first
+  struct Defect {
+    double defect, size, begun;
+  };
+  Defect defect(const State<T>& end, const T& h);
+  double rounding_of_time(const T&) const { return 0; }  // forces of a late time are those of the end
+  bool rests(const State<T>& begin, const State<T>& end);
+  bool is_at_rest(const State<T>& state) const;
   int orders_read() const { return this->options_.degree + 1; }
   double jorba_zou(double max_step) const {
     return jorba_zou_step_of(series(), this->options_.degree, max_step);
@@ -79,6 +95,7 @@ class ParticleTaylor : public ParticleTaylorBase<T> {
   void count();
 
   std::uint64_t moving_ = 0;
+  std::vector<bool> fixed_;
 };
 
 // ---- definitions -----------------------------------------------------------------------------------------
@@ -86,7 +103,61 @@ class ParticleTaylor : public ParticleTaylorBase<T> {
 template <class T>
 ParticleTaylor<T>::ParticleTaylor(const System<T>& system, ParticleTaylorOptions<T> options)
     : Base("ParticleTaylor", options, Expansion<T>(system, Base::degree_of(options) + 1), 1) {
-  for (const bool fixed : system.fixed()) moving_ += fixed ? 0 : 1;
+  fixed_ = system.fixed();
+  for (const bool fixed : fixed_) moving_ += fixed ? 0 : 1;
+}
+
+/// The orders from 0 on that are finite, of positions and velocities: of the positions one more. All, where the last one is.
+template <class T>
+int ParticleTaylor<T>::known_orders() const {
+  if (finite(series().norm(series().order()))) return series().order() - 1;
+  int k = 0;
+  while (k <= series().order() && finite(series().norm(k))) ++k;
+  return k - 2;
+}
+
+/// From a singular point: how far velocities lead astray, h |a - x''| at the end, and their size max(|v|, h |a|) at both ends
+/// and at the beginning. All are largest components, in m/s; 0 of infinity where the force at the end is not finite.
+template <class T>
+typename ParticleTaylor<T>::Defect ParticleTaylor<T>::defect(const State<T>& end, const T& h) {
+  using std::abs;
+  State<T> there = end;
+  there.time = T(series().time() + h);
+  const T s = T(h / series().time_unit());
+  this->series_.series().look_ahead(there, 2);
+  typename Expansion<T>::Departure d;
+  series().take_departure(this->top() + 1, this->series_.weights(), s, 0, series().particles(), d);
+  const T unit = abs(series().time_unit());
+  const auto speed = [&](int side) {
+    return static_cast<double>(T(std::max(d.velocity[side], T(s * d.acceleration[side])) / unit));
+  };
+  if (!finite(d.force)) return {0, std::numeric_limits<double>::infinity(), 0};
+  return {static_cast<double>(T(s * d.force / unit)), std::max(speed(0), speed(1)), speed(0)};
+}
+
+/// Whether no particle moves nor is pushed at the start of the series, that of the state.
+template <class T>
+bool ParticleTaylor<T>::is_at_rest(const State<T>& state) const {
+  return (state.velocity.array() == T(0)).all() && series().velocity_norm(1) == T(0);
+}
+
+/// Whether the motion rests at both ends of a step, of which the series has been started at the end, and stays there.
+template <class T>
+bool ParticleTaylor<T>::rests(const State<T>& begin, const State<T>& end) {
+  const auto start = [&](const State<T>& state) {
+    this->series_.start(state);
+    this->series_.grow_to(2);
+  };
+  if (!is_at_rest(end)) return false;
+  start(begin);
+  if (!is_at_rest(begin)) return false;
+  std::vector<bool> resting;
+  for (const bool fixed : fixed_) resting.push_back(!fixed);
+  const auto accelerations = [&](const State<T>& state) {
+    start(state);
+    return series().velocity(1);
+  };
+  return that_stay(begin, resting, accelerations) == resting;
 }
 
 /// x + (rest of x + h (rest of v) + sum_{n>=1} w_n x_n h^n),   v + (rest of v + sum_{n>=1} w_n v_n h^n), and new rests.
@@ -94,7 +165,7 @@ template <class T>
 void ParticleTaylor<T>::sum(const State<T>& from, const T& h, State<T>& to) const {
   const T s = h / series().time_unit();
   const T* w = this->series_.weights();
-  const int top = this->series_.top();
+  const int top = this->top(), top_of_positions = this->is_singular() ? top + 1 : top;
   const auto rest = [](const Coordinates<T>& rests, Eigen::Index i) {
     return rests.size() == 0 ? T(0) : rests.data()[i];
   };
@@ -108,7 +179,7 @@ void ParticleTaylor<T>::sum(const State<T>& from, const T& h, State<T>& to) cons
       cut.data()[i] = next.low;
     }
   };
-  series().position_sum(1, top, w, s, to.position);
+  series().position_sum(1, top_of_positions, w, s, to.position);
   add(
       from.position,
       [&](Eigen::Index i) { return T(rest(from.position_rest, i) + T(h * rest(from.velocity_rest, i))); },
@@ -133,9 +204,8 @@ bool ParticleTaylor<T>::series_is_finite(Report& report) const {
     if (bad < 0) continue;
     report = {Outcome::non_finite,
               "coefficient " + std::to_string(k) + " of the motion of particle " + std::to_string(bad) +
-                  " is not finite at t = " + shown(series().time()) +
-                  ": the force is singular there (particles that coincide?), or the motion has blown up; end "
-                  "before",
+                  " is not finite at t = " + shown(series().time()) + ": " + cause_of_no_coefficient(k) +
+                  ", or the motion has blown up; end before",
               bad};
     return false;
   }

@@ -4,12 +4,16 @@
 // motion from rest with a force |v| v. They are so short that these suffice.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "jetlag/integrators/step_check.hpp"
 
 namespace jetlag {
+
+/// Where forces are looked at within a step from a singular point, in parts of it: they may come back to what they were.
+inline constexpr std::array looks_within_a_step{0.0625, 0.21, 0.38, 0.52, 0.62, 0.815, 0.94};
 
 /// Whether a step h from a singular point is short enough: forces are those to which its series leads but for
 ///

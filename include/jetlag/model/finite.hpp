@@ -19,6 +19,13 @@ bool in_range(const State<double>& state, double largest, double begin, Report& 
 bool all_finite(const Coordinates<double>& position, const Coordinates<double>& velocity, double begin,
                 Report& report);
 
+/// Why coefficient k of a position may not be finite: of the force, or where k > 2 of its series, which the force at the
+/// beginning does not depend on.
+inline const char* cause_of_no_coefficient(int k) {
+  return k > 2 ? "the force on it has no series there (a norm or root of what is zero?)"
+               : "the force is singular there (particles that coincide?)";
+}
+
 /// The first row with an entry that is not finite; -1 where there is none.
 template <class M>
 int first_not_finite(const M& rows) {

@@ -15,6 +15,7 @@
 // Choices in f (select, abs, max ..) are decided where the series starts. The series of what decides them are at hand, so
 // that a step may end where the first one changes: first_change.
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
@@ -159,13 +160,18 @@ class FirstOrderExpansion {
 
   /// The first s in (0, h], in units of time, at which a choice that was made at the start would be made otherwise; see
   /// jetlag::first_change. h becomes shorter where the series of a condition does not reach so far.
-  std::optional<T> first_change(T& h) {
+  /// of_known: as far as the coefficients say that are known where others are not finite.
+  std::optional<T> first_change(T& h, bool of_known = false) {
+    using std::isfinite;
     std::optional<T> first;
     T most = h;
     std::vector<T> c(order());
     for (const auto& [place, at_zero] : blocks_.program().conditions) {
       for (int k = 0; k < order(); ++k) c[k] = *blocks_.at(0, place, k);
-      find_first_change<T>(c, at_zero, most, first);
+      std::span<const T> known = c;
+      if (of_known)
+        known = known.first(std::ranges::find_if_not(c, [](const T& x) { return isfinite(x); }) - c.begin());
+      find_first_change<T>(known, at_zero, most, first);
     }
     if (!first) h = most;
     return first;

@@ -7,6 +7,7 @@
 
 #include "jetlag/base/text.hpp"
 #include "jetlag/integrators/integrator.hpp"
+#include "jetlag/model/finite.hpp"
 #include "schedule/local/local_motion.hpp"
 #include "schedule/local/stopped_sum.hpp"
 
@@ -30,11 +31,12 @@ void LocalMotion::told(int particle, double* to, std::size_t next_order) const {
 bool LocalMotion::finite_series(const double* c, int particle, Count now, Report& report) const {
   for (std::size_t i = 0; i < size_; ++i) {
     if (std::isfinite(c[i])) continue;
+    const int k = static_cast<int>(i / stride_);
     report = {Outcome::non_finite,
-              "coefficient " + std::to_string(i / stride_) + " of the motion of particle " +
-                  std::to_string(particle) + " is not finite at t = " + shown(ticks_.time(now)) +
-                  ": the force is singular there (particles that coincide?), or the motion has blown up; "
-                  "separate the particles, soften the force or take a smaller tolerance",
+              "coefficient " + std::to_string(k) + " of the motion of particle " + std::to_string(particle) +
+                  " is not finite at t = " + shown(ticks_.time(now)) + ": " + cause_of_no_coefficient(k) +
+                  ", or the motion has blown up; start beside that place, soften the force or take a smaller "
+                  "tolerance",
               particle};
     return false;
   }

@@ -165,6 +165,25 @@ TEST(ChangingForce, DragTurnsRoundWithTheMotion) {  // atan on the way up, tanh 
   }
 }
 
+TEST(ChangingForce, DragStartsFromRest) {  // where |v| has a kink: y = -v^2/g ln cosh(g t/v), v^2 = 98
+  const double g = 9.8, v = std::sqrt(98.0), fallen = -v * v / g * std::log(std::cosh(2 * g / v));
+  EXPECT_NEAR(fallen, -13.0563927612838, 1e-13);
+  System<> system(2, {1.0});
+  system.add<QuadraticDrag>({{0}}, {{0.1}});
+  system.add<UniformField>({{0}}, {{0.0, -g, 0.0}});
+  for (const Way& way : ways()) {
+    State<> state = at({0, 0}, {0, 0});
+    const Report report = way.run(system, state, 2);
+    if (way.error == of_clocks && report.outcome == Outcome::non_finite) {  // and it is said
+      EXPECT_NE(report.message.find("a norm or root of what is zero?"), std::string::npos) << report.message;
+      continue;
+    }
+    EXPECT_EQ(report.outcome, Outcome::success) << way.name << ": " << report.message;
+    EXPECT_NEAR(state.position(0, 1), fallen, 10 * way.error) << way.name;
+    EXPECT_NEAR(state.velocity(0, 1), -v * std::tanh(2 * g / v), 10 * way.error) << way.name;
+  }
+}
+
 TEST(ChangingForce, ARopePullsWhenItIsTight) {  // a line, half a period of 10 rad/s, the line back
   System<> system(1, {1.0});
   system.add<Rope>({{0}}, {{100.0}});

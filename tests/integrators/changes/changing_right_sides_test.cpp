@@ -47,6 +47,17 @@ TEST(ChangingRightSide, ASqrtThatReachesZeroStaysThere) {  // y = (1 - t/2)^2 up
   expect_end([](auto&, auto& y) { return one(-sqrt(y[0])); }, {1}, 0, 4, 0);
 }
 
+TEST(ChangingRightSide,
+     ThatComesBackToZeroIsNotOverlooked) {  // y = pi/16 in the middle of a half disc, pi/8 at its end
+  const auto half_disc = [](auto& t, auto& y) { return one(sqrt(t * (1.0 - t)) + 0.0 * y[0]); };
+  expect_end(half_disc, {0}, 0, 0.5, M_PI / 16);
+  for (const double until : {1.0, 2.0}) {  // the other end is singular too, and nothing is beyond
+    const Ended end = run(half_disc, {0}, 0, until);
+    EXPECT_GT(end.time, 0.5) << end.report.message;
+    if (end.report.outcome == Outcome::success) EXPECT_NEAR(end.y[0], M_PI / 8, 1e-6);
+  }
+}
+
 TEST(ChangingRightSide, APulseIsNotPassedOver) {
   const auto pulse = [](auto& t, auto&) {
     return one(select(t >= 1.0 && t < 2.0, Recorded(1.0), Recorded(0.0)));

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "integrators/changes/singular_laws.hpp"
 #include "jetlag/control/fixed_step.hpp"
 #include "jetlag/control/jorba_zou.hpp"
 #include "jetlag/control/last_two.hpp"
@@ -19,72 +20,7 @@
 namespace jetlag::testing::singular_starts_test {
 namespace {
 
-/// F = -c |v| v.
-struct QuadraticDrag {
-  static constexpr const char* name = "quadratic_drag";
-  static constexpr int participants = 1;
-  static constexpr std::array parameters{"coefficient"};
-  template <class T, int D>
-  static Vector<T, D> force(const Participants<T, D, 1>& p, const T& c) {
-    return T(-c * p.velocity[0].norm()) * p.velocity[0];
-  }
-};
-
-/// F = sqrt(t (1 - t)) along x.
-struct HalfDisc {
-  static constexpr const char* name = "half_disc";
-  static constexpr int participants = 1;
-  static constexpr std::array<const char*, 0> parameters{};
-  template <class T, int D>
-  static Vector<T, D> force(const Participants<T, D, 1>& p) {
-    using std::sqrt;
-    Vector<T, D> f = Vector<T, D>::Constant(T(0.0));
-    f[0] = sqrt(T(p.time * (1.0 - p.time)));
-    return f;
-  }
-};
-
-/// F = 1 + s - |v| v + (s + s^2/2)^2 along x, s = t - start: the motion from rest is v = s + s^2/2.
-struct GrowingPush {
-  static constexpr const char* name = "growing_push";
-  static constexpr int participants = 1;
-  static constexpr std::array parameters{"start"};
-  template <class T, int D>
-  static Vector<T, D> force(const Participants<T, D, 1>& p, const T& start) {
-    const T s = p.time - start, v = s + 0.5 * s * s;
-    Vector<T, D> f = T(-p.velocity[0].norm()) * p.velocity[0];
-    f[0] += 1.0 + s + v * v;
-    return f;
-  }
-};
-
-/// F = sqrt(|x|) along x: rest at x = 0 may end at any time, x = (t - t_0)^4 / 144.
-struct Cone {
-  static constexpr const char* name = "cone";
-  static constexpr int participants = 1;
-  static constexpr std::array<const char*, 0> parameters{};
-  template <class T, int D>
-  static Vector<T, D> force(const Participants<T, D, 1>& p) {
-    using std::sqrt;
-    Vector<T, D> f = Vector<T, D>::Constant(T(0.0));
-    f[0] = sqrt(p.position[0].norm());
-    return f;
-  }
-};
-
-/// Relative drag F = -|u| u of the first particle, u = v_0 - v_1.
-struct RelativeDrag {
-  static constexpr const char* name = "relative_drag";
-  static constexpr int participants = 2;
-  static constexpr std::array<const char*, 0> parameters{};
-  template <class T, int D>
-  static Vector<T, D> force(const Participants<T, D, 2>& p) {
-    const Vector<T, D> u = p.velocity[0] - p.velocity[1];
-    return T(-u.norm()) * u;
-  }
-};
-
-constexpr std::array<double, 0> none{};
+using namespace singular_laws;
 
 struct Way {
   const char* name;
@@ -98,19 +34,11 @@ std::vector<Way> ways() {
           {"fixed steps", [] { return std::make_unique<FixedStep>(0.031); }, 1e-12}};
 }
 
-State<> at_rest(int particles, int dimension) {
-  return {0.0, Coordinates<>::Zero(particles, dimension), Coordinates<>::Zero(particles, dimension)};
-}
-
 Report run(const Way& way, const System<>& system, State<>& state, double until,
            RandomTaylor::Options options = {}) {
   return Lockstep(std::make_unique<RandomTaylor>(system, fixed_degree(20), way.control(), options))
       .run(state, until, RunOptions{});
 }
-
-/// x'' = g - c x'^2 from rest:   x = ln cosh(sqrt(g c) t) / c.
-double fallen(double g, double c, double t) { return std::log(std::cosh(std::sqrt(g * c) * t)) / c; }
-double falling(double g, double c, double t) { return std::sqrt(g / c) * std::tanh(std::sqrt(g * c) * t); }
 
 TEST(SingularStart, FallsFromRestAgainstDragInAnyDirection) {
   const double c = 0.1;
@@ -160,6 +88,7 @@ TEST(SingularStart, LeavesTheSingularPointInStepsThatGrow) {
     state.time += method.step(state, 2 - state.time, report);
   // The series of |v| goes on as if there were no kink, but rounding looks like a singularity at a distance of
   // some h eps^(-1/20) = 6 h after a time h, of which a step takes 1/8: from 1e-5 s to 1 s there are 5 ln 10 / ln 1.8 = 20.
+  EXPECT_EQ(report.outcome, Outcome::success) << report.message;
   EXPECT_LT(steps, 60);
 }
 
@@ -186,7 +115,7 @@ TEST(SingularStart, KeepsRestsOfCompensatedSums) {
   options.compensated = true;
   State<> state = at_rest(1, 2);
   state.position(0, 1) = 1e6;
-  EXPECT_EQ(run(ways()[0], system, state, 2, options).outcome, Outcome::success);
+  ASSERT_EQ(run(ways()[0], system, state, 2, options).outcome, Outcome::success);
   EXPECT_NEAR((state.position(0, 1) - 1e6) + state.position_rest(0, 1), -fallen(9.8, 0.1, 2), 1e-12);
 }
 
@@ -251,7 +180,9 @@ TEST(SingularStart,
   system.add<HalfDisc>({{0}}, {none});
   for (const Way& way : ways()) {
     State<> state = at_rest(1, 1);
-    if (run(way, system, state, 1).outcome != Outcome::success) continue;
+    const Report report = run(way, system, state, 1);
+    EXPECT_GT(state.time, way.control()->is_given() ? 0 : 0.5) << way.name << ": " << report.message;
+    if (report.outcome != Outcome::success) continue;  // the other end is singular too
     EXPECT_NEAR(state.velocity(0, 0), M_PI / 8, 1e-6) << way.name;
     EXPECT_NEAR(state.position(0, 0), M_PI / 16, 1e-6) << way.name;
   }
@@ -311,19 +242,6 @@ TEST(SingularStart, ComesToAFixedParticle) {  // u = v_0, and the fixed one feel
     EXPECT_NEAR(state.position(0, 1), -fallen(9.8, 1, 1), 10 * way.error) << way.name;
   }
 }
-
-/// The push of 1 N along x lasts from 1 s to 2 s.
-struct Push {
-  static constexpr const char* name = "push";
-  static constexpr int participants = 1;
-  static constexpr std::array<const char*, 0> parameters{};
-  template <class T, int D>
-  static Vector<T, D> force(const Participants<T, D, 1>& p) {
-    Vector<T, D> f = Vector<T, D>::Constant(T(0.0));
-    f[0] = select(p.time >= 1.0 && p.time < 2.0, T(1.0), T(0.0));
-    return f;
-  }
-};
 
 TEST(SingularStart, RestEndsWhereAPushBegins) {  // ln cosh 1 up to 2 s, and then x = x(2) + ln(1 + v(2) t)
   System<> system(2, {1.0});
