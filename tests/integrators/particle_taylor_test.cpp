@@ -220,5 +220,68 @@ TEST(ParticleTaylor, RefusesWhatItCannotDo) {
   EXPECT_THROW(method.run(state, std::numeric_limits<double>::infinity()), std::invalid_argument);
 }
 
+// ---- the forces at the end of a step -------------------------------------------------------------------------
+
+/// F = atan2(sin t, cos t): t, with a jump to t - 2 pi at pi of which the tape knows nothing.
+struct SawtoothOfTime {
+  static constexpr const char* name = "sawtooth of time";
+  static constexpr int participants = 1;
+  static constexpr std::array<const char*, 0> parameters{};
+  template <class T, int D>
+  static Vector<T, D> force(const Participants<T, D, 1>& p) {
+    Vector<T, D> f = Vector<T, D>::Constant(T(0.0));
+    f[0] = atan2(sin(p.time), cos(p.time));
+    return f;
+  }
+};
+
+template <class T>
+void expect_no_jump_passed_over() {
+  System<T> system(1, {T(1)});
+  system.template add<SawtoothOfTime>({{0}}, {std::array<T, 0>{}});
+  for (const double until : {3.3, 5.0}) {
+    ParticleTaylor<T> method(system);
+    State<T> state{T(0), Coordinates<T>::Constant(1, 1, T(0)), Coordinates<T>::Constant(1, 1, T(0))};
+    ASSERT_EQ(method.run(state, T(until)).outcome, Outcome::success);
+    // Steps that are short enough to pass over the jump depart by 2^16 eps of x, and move v by as much of itself.
+    const double past = until - M_PI, v = M_PI * M_PI / 2 + past * past / 2 - M_PI * past;
+    EXPECT_NEAR(static_cast<double>(state.velocity(0, 0)), v, 1e-8) << until;
+    EXPECT_GT(method.work().rejected, 0u);
+  }
+}
+TEST(ParticleTaylor, PassesOverNoJumpOfWhichTheTapeKnowsNothing) {
+  expect_no_jump_passed_over<double>();
+  expect_no_jump_passed_over<long double>();
+}
+
+TEST(ParticleTaylor, LetsNoMassesFallThroughEachOther) {  // at rest 2 m apart: they meet after pi / sqrt 2
+  for (const bool backwards : {false, true}) {
+    System<> system(1, {1.0, 1.0});
+    system.add<Gravity>({{0, 1}}, {{1.0}});
+    State<> state{0.0, Coordinates<>{{-1}, {1}}, Coordinates<>{{0}, {0}}};
+    ParticleTaylor<> method(system);
+    EXPECT_NE(method.run(state, backwards ? -3 : 3).outcome, Outcome::success);
+    EXPECT_NEAR(std::abs(state.time), M_PI / std::sqrt(2.0), 1e-3);
+  }
+}
+
+template <class T>
+void expect_none_rejected() {
+  for (const int degree : {6, 12, degree_of_precision<T>()})
+    for (const bool compensated : {false, true}) {
+      ParticleTaylor<T> method(sun_and_planet<T>(), {.degree = degree, .compensated = compensated});
+      State<T> state = at_perihelion<T>();
+      ASSERT_EQ(method.run(state, T(20)).outcome, Outcome::success);
+      EXPECT_EQ(method.work().rejected, 0u) << degree;
+      // A look at the end of a step is the start of the next one.
+      EXPECT_EQ(method.work().element_coefficients, method.work().steps * degree) << degree;
+    }
+}
+TEST(ParticleTaylor, RejectsNoSmoothStepAndComputesNothingTwice) {
+  expect_none_rejected<double>();
+  expect_none_rejected<long double>();
+  expect_none_rejected<Digits50>();
+}
+
 }  // namespace
 }  // namespace jetlag::testing

@@ -101,7 +101,7 @@ class FirstOrderTaylor : public FirstOrderBase<T> {
     return size;
   }
 
-  static constexpr bool checks_steps = true;
+  static constexpr bool adds_defects = true;
 
   void start(const FirstOrderState<T>& state, bool backwards);
   bool has_conditions() const { return series().has_conditions(); }

@@ -23,7 +23,10 @@ bool OneClockTaylor<Method, Series, State, Options>::agrees_with_f(const T& time
       singular ? 8 * eps : std::max(0x1p16 * eps, 16 * degree * std::exp(-2.0 * (degree - 1)));
   double unseen = 0;   // from a singular point at which nothing moves: what is nothing beside a long step
   double reached = 0;  // the size of a motion that is still that of the beginning
+  const T proposed = h;
   const auto agrees = [&](const T& length) {
+    if constexpr (requires { self().is_right(next_, length, proposed); })
+      if (!singular) return self().is_right(next_, length, proposed);
     const auto [defect, size, begun] = self().defect(next_, length);
     if (singular && !std::isfinite(size)) return false;
     if (singular && unseen == 0) unseen = 0x1p-80 * size;
@@ -81,7 +84,7 @@ bool OneClockTaylor<Method, Series, State, Options>::leads_on(const T& h) {
 /// Just beyond the change of a choice f has gone another way: a little before.
 template <class Method, class Series, class State, class Options>
 void OneClockTaylor<Method, Series, State, Options>::add_defect(const T& h)
-  requires(Method::checks_steps)
+  requires(Method::adds_defects)
 {
   const T at = changes_.is_to_change() ? T(h * T(1 - 0x1p-20)) : h;
   if (at != h) self().sum(begin_, at, next_);
@@ -99,7 +102,7 @@ void OneClockTaylor<Method, Series, State, Options>::add_defect(const T& h)
 
 template <class Method, class Series, class State, class Options>
 std::string OneClockTaylor<Method, Series, State, Options>::warning() const {
-  if constexpr (Method::checks_steps) {
+  if constexpr (Method::adds_defects) {
     if (departure_ > 1e-3 * self().extent())
       return "the steps are given and cannot be shortened, but f at their ends contradicts the series from "
              "their "

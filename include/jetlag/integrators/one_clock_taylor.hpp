@@ -59,16 +59,16 @@ struct OneClockRunOptions {
 ///     about it, end the run as step_underflow;
 ///   - where the series has no more than its first coefficients, as that of |v| v has for v = 0, the step uses these and is
 ///     so short that they suffice within it and at its end, if there is a whole series there or the motion rests;
-/// and of a Method that checks all steps that are chosen:
 ///   - where f is not recorded otherwise (a root that reaches zero, the cut of atan2) it shows in the defect: y' at the end of
-///     a step must be f there,
+///     a step must be f there, for particles as in step_check.hpp, for y' = f:
 ///
 ///         h |f(t + h, y(t + h)) - y'(h)|  <=  max(2^16 eps, 16 N e^(-2(N-1))) max(|y|, h |f|),
 ///
 ///     and what 8 roundings of a late time make of f; the second is N times the last term that Jorba and Zou leave. Where it is
 ///     not, the step is halved; where none is short enough, or 1000 in a row had to be halved 10 times, as of an f that is all
-///     rounding, the report is step_underflow. A law leaves out more
-///     than that and is not checked; nor is what no series tells of the inside of a step, see forces/force.hpp. Steps of one length cannot be shortened: `warning` says where their defects add up.
+///     rounding, the report is step_underflow. A law leaves out more than that and is not checked; nor is what no series
+///     tells of the inside of a step, see forces/force.hpp. Steps of one length cannot be shortened: for y' = f `warning`
+///     says where their defects add up.
 template <class Method, class Series, class State, class Options>
 class OneClockTaylor {
  public:
@@ -92,7 +92,7 @@ class OneClockTaylor {
 
   const Work& work() const { return work_; }
 
-  /// Of a Method that computes f: where the defects of steps of one length, but for 64 roundings of y, add up to more than a
+  /// Of y' = f: where the defects of steps of one length, but for 64 roundings of y, add up to more than a
   /// thousandth of the extent of the solution so far, that they do, and when they were largest. Empty otherwise.
   std::string warning() const;
 
@@ -142,7 +142,7 @@ class OneClockTaylor {
   bool agrees_with_f(const T& time, T& h);
   bool leads_on(const T& h);
   void add_defect(const T& h)
-    requires(Method::checks_steps);
+    requires(Method::adds_defects);
   Report refusal(const T& time, const T& h, bool contradicted) const;
   Report underflow(const T& time, const T& h) const;
 
@@ -186,12 +186,12 @@ auto OneClockTaylor<Method, Series, State, Options>::step(State& state, const T&
   }
   series_.stop(h, update_);
   self().sum(state, h, next_);
-  const bool singular = is_singular(), checked = Method::checks_steps && !options_.law;
+  const bool singular = is_singular(), checked = !options_.law;
   if ((singular || (checked && !options_.step)) && !agrees_with_f(state.time, h)) {
     if (self().series_is_finite(report)) report = refusal(state.time, h, true);
     return T(0);
   }
-  if constexpr (Method::checks_steps)
+  if constexpr (Method::adds_defects)
     if (checked && options_.step && !singular) add_defect(h);
   if (singular && !leads_on(h)) {
     self().series_is_finite(report);

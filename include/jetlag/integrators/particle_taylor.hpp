@@ -9,8 +9,11 @@
 //   const Report report = method.run(state, until);      //  state.time is `until`, unless the report says why not
 //
 // In double there is more to choose: integrators/taylor.hpp with a control and a schedule. The series and its draws are the
-// same. Kinks of forces (control/to_kinks.hpp) are not looked for.
+// same. Kinks of forces (control/to_kinks.hpp) are not looked for: a step over one is taken again, shorter, where the force at
+// its end is not that to which the series leads.
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -22,6 +25,7 @@
 #include "jetlag/base/text.hpp"
 #include "jetlag/integrators/one_clock_taylor.hpp"
 #include "jetlag/integrators/rest.hpp"
+#include "jetlag/integrators/step_check.hpp"
 #include "jetlag/model/finite.hpp"
 #include "jetlag/motion/expansion.hpp"
 #include "jetlag/truncation/draws.hpp"
@@ -65,7 +69,7 @@ class ParticleTaylor : public ParticleTaylorBase<T> {
   using Base::finite;
   using Base::series;
 
-  static constexpr bool checks_steps = false;
+  static constexpr bool adds_defects = false;
 
   void start(const State<T>& state, bool backwards) {
     this->series_.lead_backwards(backwards);
@@ -81,6 +85,8 @@ class ParticleTaylor : public ParticleTaylorBase<T> {
     double defect, size, begun;
   };
   Defect defect(const State<T>& end, const T& h);
+  bool is_right(const State<T>& end, const T& h, const T& proposed);
+  typename Expansion<T>::Departure departure_at(const State<T>& end, const T& h);
   double rounding_of_time(const T&) const { return 0; }  // forces of a late time are those of the end
   bool rests(const State<T>& begin, const State<T>& end);
   bool is_at_rest(const State<T>& state) const;
@@ -116,17 +122,48 @@ int ParticleTaylor<T>::known_orders() const {
   return k - 2;
 }
 
+/// Of the forces at the end of a step, from which the next one will begin.
+template <class T>
+typename Expansion<T>::Departure ParticleTaylor<T>::departure_at(const State<T>& end, const T& h) {
+  State<T> there = end;
+  there.time = T(series().time() + h);
+  if (!this->options_.compensated) there.drop_rests();
+  const int top = this->is_singular() ? this->top() + 1 : this->top();
+  this->series_.series().forget_ahead();
+  this->series_.series().look_ahead(there, this->is_singular() ? 2 : std::min(3, orders_read()));
+  typename Expansion<T>::Departure departure;
+  series().take_departure(top, this->series_.weights(), T(h / series().time_unit()), 0, series().particles(),
+                          departure);
+  return departure;
+}
+
+/// Whether the forces at the end of a step that is chosen are those to which its series leads (step_check.hpp).
+template <class T>
+bool ParticleTaylor<T>::is_right(const State<T>& end, const T& h, const T& proposed) {
+  using std::abs;
+  const auto d = departure_at(end, h);
+  const T s = T(h / series().time_unit());
+  const auto metres = [&](const T& velocity, const T& acceleration) {
+    return static_cast<double>(std::max(T(s * velocity), T(s * s * acceleration)));
+  };
+  const StepDefect defect{static_cast<double>(series().time()),    static_cast<double>(T(abs(h))),
+                          static_cast<double>(T(abs(proposed))),   static_cast<double>(T(s * s * d.force)),
+                          static_cast<double>(d.position),         metres(d.velocity[0], d.acceleration[0]),
+                          metres(d.velocity[1], d.acceleration[1])};
+  const auto size = [&](int n) {
+    return static_cast<double>(series().position_norm(n)) * std::pow(static_cast<double>(s), n);
+  };
+  return is_allowed(
+      defect, this->series_.stops().law(), 0, false, [](int) { return 1.0; }, series().order(), size);
+}
+
 /// From a singular point: how far velocities lead astray, h |a - x''| at the end, and their size max(|v|, h |a|) at both ends
 /// and at the beginning. All are largest components, in m/s; 0 of infinity where the force at the end is not finite.
 template <class T>
 typename ParticleTaylor<T>::Defect ParticleTaylor<T>::defect(const State<T>& end, const T& h) {
   using std::abs;
-  State<T> there = end;
-  there.time = T(series().time() + h);
   const T s = T(h / series().time_unit());
-  this->series_.series().look_ahead(there, 2);
-  typename Expansion<T>::Departure d;
-  series().take_departure(this->top() + 1, this->series_.weights(), s, 0, series().particles(), d);
+  const auto d = departure_at(end, h);
   const T unit = abs(series().time_unit());
   const auto speed = [&](int side) {
     return static_cast<double>(T(std::max(d.velocity[side], T(s * d.acceleration[side])) / unit));
