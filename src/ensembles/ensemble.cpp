@@ -279,12 +279,10 @@ void Ensemble::advance(std::size_t block, double until, Workspace& work) {
     for (int i = 0; i < active; ++i) {
       if (!work.moves[i]) continue;
       const double h = cropped(work.step[i], until - time[i]);
-      if (std::isnan(work.not_finite[i]))
-        outcome_[first + i] = Outcome::non_finite;
-      else if (!advances(time[i], h))
-        outcome_[first + i] = Outcome::step_underflow;
-      work.moves[i] = outcome_[first + i] == Outcome::success;
       work.step[i] = h;
+      if (!std::isnan(work.not_finite[i]) && advances(time[i], h)) continue;
+      work.moves[i] = 0;
+      step_alone(block, i, until, work);
     }
     find_choices(block, until, work);
     for (std::size_t c = 0; c < components; ++c) {  // v_k = (k+1) x_{k+1}
@@ -302,8 +300,8 @@ void Ensemble::advance(std::size_t block, double until, Workspace& work) {
     bool all = active == lanes;
     for (int i = 0; i < active; ++i) {
       if (work.moves[i] && std::isnan(work.not_finite[i])) {
-        outcome_[first + i] = Outcome::non_finite;
         work.moves[i] = 0;
+        step_alone(block, i, until, work);
       }
       all &= work.moves[i] != 0;
       if (!work.moves[i]) continue;

@@ -41,28 +41,32 @@ Report never_short_enough(double time, int particle) {
 
 }  // namespace
 
-/// A step of at most `limit` where there is no whole series, but the first coefficients of all particles. Returns 0 with
+/// A step of at most `limit`, and the longest one of the control, where there is no whole series, but the first coefficients of all particles. Returns 0 with
 /// the report as it was where there are not, or where the law may not be left.
-double RandomTaylor::short_step(State<double>& state, double limit, Report& report) {
+double RandomTaylor::short_step(State<double>& state, double limit, const StepsToChanges<double>& changes,
+                                Report& report) {
   const TruncationLaw& law = stops().law();
   if (!law.is_fixed() && control_.orders_read(law, options_.velocity) < 3) return 0.0;
   if (!find_known()) return 0.0;
-  double h = up_to_change(std::isfinite(limit) ? limit : std::max(1.0, std::abs(state.time)));
-  if (is_stuck(state.time, report)) return 0.0;
+  const auto fail = [&](const Report& why) {
+    known_.clear();
+    report = why;
+    return 0.0;
+  };
+  const double most = std::min(limit, control_.longest());
+  changes_ = changes;
+  double h = up_to_change(std::isfinite(most) ? most : std::max(1.0, std::abs(state.time)));
+  if (is_stuck(state.time, report)) return fail(report);
+  if (!advances(state.time, h)) return fail(never_short_enough(state.time, least_known()));
   proposed_ = h;
   for (ShortStepBound bound; !agrees_all_along(state, h, bound);) {
     ++work_.rejected;
-    changes_.take_none();
+    changes_.shorten();
     h *= 0.5;
-    if (advances(state.time, h)) continue;
-    report = never_short_enough(state.time, least_known());
-    return 0.0;
+    if (!advances(state.time, h)) return fail(never_short_enough(state.time, least_known()));
   }
-  const int stopped = first_stopped(state, h);
-  if (stopped >= 0) {
-    report = no_series_beyond(state.time, stopped);
-    return 0.0;
-  }
+  if (const int stopped = first_stopped(state, h); stopped >= 0)
+    return fail(no_series_beyond(state.time, stopped));
   report = {};
   return accept(state, h);
 }

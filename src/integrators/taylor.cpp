@@ -55,17 +55,18 @@ RandomTaylor::RandomTaylor(const System<double>& system, Truncation law, std::un
 }
 
 double RandomTaylor::step(State<double>& state, double limit, Report& report) {
+  const StepsToChanges<double> changes = changes_;
   begin(state);
   const double proposal = control_.propose({expansion(), stops().law(), limit});
   double h = up_to_change(proposal);
   if (is_stuck(state.time, report)) return 0.0;
   if (!advances(state.time, h)) {
-    if (!all_finite(expansion(), report)) return short_step(state, proposal > 0 ? proposal : limit, report);
+    if (!all_finite(expansion(), report)) return short_step(state, limit, changes, report);
     report = step_underflow(expansion(), h);
     return 0.0;
   }
   proposed_ = h;
-  if (!end(state, h, report)) return short_step(state, proposal, report);
+  if (!end(state, h, report)) return short_step(state, limit, changes, report);
   while (!agrees_with_forces(state, h)) {
     ++work_.rejected;
     changes_.take_none();

@@ -147,6 +147,29 @@ TEST(EnsembleChecks, LookAtTheLastEndToo) {
   EXPECT_NEAR(driven.state(0).velocity(0, 0), v, 1e-9);
 }
 
+/// F = -|v| v: no series at rest.
+struct AirDrag {
+  static constexpr const char* name = "air_drag";
+  static constexpr int participants = 1;
+  static constexpr std::array<const char*, 0> parameters{};
+  template <class T, int D>
+  static Vector<T, D> force(const Participants<T, D, 1>& p) {
+    return T(-p.velocity[0].norm()) * p.velocity[0];
+  }
+};
+
+TEST(EnsembleChecks, FallsFromRestStart) {  // against drag: v = tanh t
+  System<double> system = of_one<AirDrag>();
+  system.add<UniformField>({{0}}, {{1.0, 0.0, 0.0}});
+  Ensemble falling(system, 20, {at(0, 0), at(3, 0), at(0, 0.5)});
+  falling.advance_to(2);
+  for (const std::size_t i : {0, 1}) {
+    ASSERT_EQ(falling.outcome(i), Outcome::success);
+    EXPECT_NEAR(falling.state(i).velocity(0, 0), std::tanh(2.0), 1e-13);  // some hundred roundings
+  }
+  EXPECT_NEAR(falling.state(2).velocity(0, 0), std::tanh(2 + std::atanh(0.5)), 1e-13);
+}
+
 TEST(EnsembleChecks, SlidingMotionsEnd) {
   Ensemble sliding(of_one<Towards>(), 20, {at(0.5, 0), at(1e3, 0)});
   sliding.advance_to(5);

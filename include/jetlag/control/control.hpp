@@ -45,6 +45,9 @@ class Control {
   /// The next step [s], > 0 and at most max_step. It may be longer than the limit: `cropped`.
   virtual double propose(const Prospect& prospect) = 0;
 
+  /// The longest step that it proposes [s], where that does not depend on the series.
+  virtual double longest() const { return std::numeric_limits<double>::infinity(); }
+
   /// Whether its steps are given, not chosen: then nothing shortens them but the limit.
   virtual bool is_given() const { return false; }
 

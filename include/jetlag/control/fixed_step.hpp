@@ -13,6 +13,7 @@ class FixedStep final : public Control {
   double step() const { return step_; }
   int orders_read(const TruncationLaw&, VelocitySeries) const override { return 0; }
   double propose(const Prospect&) override { return step_; }
+  double longest() const override { return step_; }
   bool is_given() const override { return true; }
   double past_kinks() const override { return std::numeric_limits<double>::infinity(); }
   std::unique_ptr<Control> clone() const override { return std::make_unique<FixedStep>(*this); }

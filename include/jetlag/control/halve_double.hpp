@@ -22,6 +22,7 @@ class HalveDouble final : public Control {
   int orders_read(const TruncationLaw& law, VelocitySeries) const override { return orders_for_errors(law); }
   double propose(const Prospect& prospect) override;
   double past_kinks() const override { return std::sqrt(min_variance_); }
+  double longest() const override { return max_step_; }
   std::unique_ptr<Control> clone() const override { return std::make_unique<HalveDouble>(*this); }
 
  private:

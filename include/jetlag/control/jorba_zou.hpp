@@ -69,6 +69,7 @@ class JorbaZou final : public Control {
   }
   double propose(const Prospect& prospect) override;
   double past_kinks() const override { return 0.0; }  // but for rounding
+  double longest() const override { return max_step_; }
   std::unique_ptr<Control> clone() const override { return std::make_unique<JorbaZou>(*this); }
 
  private:

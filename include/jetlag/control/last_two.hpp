@@ -78,6 +78,7 @@ class LastTwo final : public Control {
   }
   double propose(const Prospect& prospect) override;
   double past_kinks() const override { return tolerance_; }
+  double longest() const override { return max_step_; }
   std::unique_ptr<Control> clone() const override { return std::make_unique<LastTwo>(*this); }
 
  private:

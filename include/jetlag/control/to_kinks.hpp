@@ -75,6 +75,7 @@ class ToKinks final : public Control {
   double propose(const Prospect& prospect) override;
   bool is_given() const override { return inner_->is_given(); }
   double past_kinks() const override { return inner_->past_kinks(); }
+  double longest() const override { return inner_->longest(); }
   std::unique_ptr<Control> clone() const override { return std::make_unique<ToKinks>(*this); }
 
   /// Whether there are kinks at which its steps end.

@@ -16,6 +16,7 @@ class VarianceTarget final : public Control {
   int orders_read(const TruncationLaw& law, VelocitySeries) const override { return orders_for_errors(law); }
   double propose(const Prospect& prospect) override;
   double past_kinks() const override { return std::min(tolerance_random_, tolerance_bias_); }
+  double longest() const override { return max_step_; }
   std::unique_ptr<Control> clone() const override { return std::make_unique<VarianceTarget>(*this); }
 
  private:

@@ -27,11 +27,11 @@ struct SystemLanes;
 
 /// Taylor's method of a fixed degree with the step of Jorba and Zou (control/jorba_zou.hpp), as `taylor` with `JorbaZou`,
 /// to rounding. A trajectory has the same bits in any company and for any number of workers, as long as the blocks
-/// have the same width. Time is counted in seconds: of motions of more than 1e15 or less than 1e-15 radians a second
-/// coefficient 20 is beyond doubles, and their trajectories end as non_finite or are stepped by what is left.
+/// have the same width. Time is counted in seconds: of motions of less than 1e-15 radians a second coefficient 20 is below
+/// doubles, and their trajectories are stepped by what is left.
 ///
-/// A trajectory takes a step by itself, as RandomTaylor does, where a choice in a force may change (forces/force.hpp), or
-/// where the forces at the end of its step do not plainly agree with the series, whose step is then taken anew:
+/// A trajectory takes a step by itself, as RandomTaylor does, where its series is not finite, where a choice in a force may
+/// change (forces/force.hpp), or where the forces at the end of its step do not plainly agree with the series, whose step is then taken anew:
 ///
 ///     h^2 |a - x''|  <=  2^16 eps max(|x|, m) + 16 N e^(-2(N-1)) m,   m = max(h |v|, h^2 |a|) at the beginning.
 ///

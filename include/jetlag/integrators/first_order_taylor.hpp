@@ -112,8 +112,7 @@ class FirstOrderTaylor : public FirstOrderBase<T> {
   double scale() const;
   struct Defect {
     double defect, size;
-    double begun =
-        0;  // the size at the beginning, where the motion reaches it before it has become another one
+    double begun = 0;  // h |y'(0)|
   };
   Defect defect(const FirstOrderState<T>& end, const T& h);
   double rounding_of_time(const T& h);
@@ -202,7 +201,7 @@ typename FirstOrderTaylor<T>::Defect FirstOrderTaylor<T>::defect(const FirstOrde
   const T s = h / series().time_unit();
   const T* w = this->series_.weights();
   const int top = this->top();
-  T most(0), rate(0), size(0);
+  T most(0), rate(0), size(0), begun(0);
   const auto take = [](T& largest, const T& x) {
     if (largest < x) largest = x;
   };
@@ -215,10 +214,12 @@ typename FirstOrderTaylor<T>::Defect FirstOrderTaylor<T>::defect(const FirstOrde
     take(rate, abs(rates_[i]));
     take(size, abs(end.y[i]));
     take(size, abs(c[0]));
+    take(begun, abs(c[1]));
   }
   const T length = abs(h);
   take(size, T(length * rate));
-  return {static_cast<double>(T(length * most)), static_cast<double>(size)};
+  return {static_cast<double>(T(length * most)), static_cast<double>(size),
+          static_cast<double>(T(length * begun / abs(series().time_unit())))};
 }
 
 template <class T>

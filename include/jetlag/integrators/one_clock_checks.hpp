@@ -16,6 +16,7 @@ namespace jetlag {
 /// Whether the end of the step agrees with f there, after halving it where it does not. False where no step does.
 template <class Method, class Series, class State, class Options>
 bool OneClockTaylor<Method, Series, State, Options>::agrees_with_f(const T& time, T& h) {
+  using std::abs;
   const double eps = static_cast<double>(std::numeric_limits<T>::epsilon());
   const int degree = options_.degree;
   const bool singular = is_singular();
@@ -29,8 +30,14 @@ bool OneClockTaylor<Method, Series, State, Options>::agrees_with_f(const T& time
       if (!singular) return self().is_right(next_, length, proposed);
     const auto [defect, size, begun] = self().defect(next_, length);
     if (singular && !std::isfinite(size)) return false;
-    if (singular && unseen == 0) unseen = 0x1p-80 * size;
-    if (singular && reached == 0 && defect <= begun) reached = begun;
+    if (singular && begun == 0) {
+      if (T(abs(length)) <= T(64 * eps) * T(abs(time))) return true;
+      if (unseen == 0) unseen = 0x1p-80 * size;
+    }
+    if (defect > begun)
+      reached = 0;
+    else if (singular && reached == 0)
+      reached = begun;
     const double bound = std::max(allowed * std::max(size, reached), unseen);
     return !(defect > bound && defect > bound + 8 * self().rounding_of_time(length));
   };

@@ -227,8 +227,10 @@ auto OneClockTaylor<Method, Series, State, Options>::length(const T& limit) -> T
   if (known < 1 || known >= std::min(series().order(), series_.stops().degree()))
     return up_to_change(proposal(limit));
   known_ = known;
-  const double scale = self().scale();
-  const T most = scale > 0 && scale < static_cast<double>(T(abs(limit))) ? T(scale) : abs(limit);
+  const double scale = self().scale(), longest = options_.step.value_or(options_.max_step);
+  T most = abs(limit);
+  if (scale > 0 && scale < static_cast<double>(most)) most = T(scale);
+  if (longest < static_cast<double>(most)) most = T(longest);
   return up_to_change(limit < T(0) ? T(-most) : most);
 }
 

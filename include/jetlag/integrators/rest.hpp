@@ -17,6 +17,7 @@ namespace jetlag {
 template <class T, class Accelerations>
 std::vector<bool> that_stay(const State<T>& state, const std::vector<bool>& resting,
                             const Accelerations& accelerations) {
+  using std::abs;
   std::vector<bool> stay = resting;
   if (std::ranges::none_of(resting, [](bool rests) { return rests; })) return stay;
   const auto beside = [&](Coordinates<T> State<T>::* which, int c, const T& off) {
@@ -35,6 +36,9 @@ std::vector<bool> that_stay(const State<T>& state, const std::vector<bool>& rest
         for (std::size_t i = 0; i < stay.size(); ++i) {
           const T outwards = T(side) * near(i, c);
           if (outwards > T(0) && !(T(T(side) * far(i, c)) >= T(1000) * outwards)) stay[i] = false;
+          for (int k = 0; k < state.position.cols(); ++k)  // to the side
+            if (const T aside = abs(near(i, k)); k != c && !(abs(far(i, k)) >= T(1000) * aside))
+              stay[i] = false;
         }
       }
   return stay;

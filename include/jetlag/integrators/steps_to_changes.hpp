@@ -35,6 +35,8 @@ class StepsToChanges {
     instants_ = is_instant ? instants_ + 1 : 0;
     return step;
   }
+  /// The step becomes shorter: it leads to no change, and counts as it does.
+  void shorten() { is_to_change_ = false; }
   /// One that leads to no change.
   void take_none() {
     is_to_change_ = false;

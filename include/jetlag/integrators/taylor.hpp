@@ -41,8 +41,8 @@ namespace jetlag {
 /// Where the series of some particles have no more than their first coefficients, 2 at least, as those of a force |v| v have at
 /// rest, a step uses what there is, with weights 1 whatever the law, and is so short that the forces within it and at its end
 /// are those to which this leads (short_step.hpp). At its end there must be whole series again, of all particles but those
-/// that stay at rest; otherwise the report is non_finite. Such a step may be longer than the largest one of a control where
-/// nothing else moves. Steps that are given, or chosen without a look at the series, do so for a fixed degree only.
+/// that stay at rest; otherwise the report is non_finite. Steps that are given, or chosen without a look at the series, do so
+/// for a fixed degree only.
 class RandomTaylor final : public Integrator {
  public:
   struct Options {
@@ -107,7 +107,8 @@ class RandomTaylor final : public Integrator {
   void count();
 
   // Steps from singular points: src/integrators/short_step.cpp.
-  double short_step(State<double>& state, double limit, Report& report);
+  double short_step(State<double>& state, double limit, const StepsToChanges<double>& changes,
+                    Report& report);
   bool find_known();
   bool agrees_all_along(const State<double>& from, double h, ShortStepBound& bound);
   bool agrees_at(const State<double>& from, double h, ShortStepBound& bound);

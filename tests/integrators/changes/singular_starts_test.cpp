@@ -268,5 +268,94 @@ TEST(SingularStart, StepsThatAreGivenToARandomDegreeSayWhy) {
   EXPECT_NE(report.message.find("a norm or root of what is zero?"), std::string::npos) << report.message;
 }
 
+// ---- how far it is asked to go -----------------------------------------------------------------------------
+
+/// F = t^(3/2) along x: v = 2/5 t^(5/2).
+struct LatePush {
+  static constexpr const char* name = "late_push";
+  static constexpr int participants = 1;
+  static constexpr std::array<const char*, 0> parameters{};
+  template <class T, int D>
+  static Vector<T, D> force(const Participants<T, D, 1>& p) {
+    Vector<T, D> f = Vector<T, D>::Constant(T(0.0));
+    f[0] = p.time * sqrt(p.time);
+    return f;
+  }
+};
+
+TEST(SingularStart, DoesNotDependOnHowFarItIsToGo) {
+  System<> pushed(1, {1.0}), fallen_system(1, {1.0});
+  pushed.add<LatePush>({{0}}, {std::array<double, 0>{}});
+  fallen_system.add<QuadraticDrag>({{0}}, {{1.0}});
+  fallen_system.add<UniformField>({{0}}, {{10.0, 0.0, 0.0}});
+  for (const double limit : {1.0, 1e4, 1e8}) {
+    State<> late = at_rest(1, 1), falls = at_rest(1, 1);
+    const auto first_step = [&](const System<>& system, State<>& state) {
+      RandomTaylor method(system, fixed_degree(20), std::make_unique<JorbaZou>());
+      Report report;
+      const double h = method.step(state, limit, report);
+      EXPECT_EQ(report.outcome, Outcome::success) << report.message;
+      return h;
+    };
+    const double h = first_step(fallen_system, falls);
+    // 8 eps of the terminal speed, sqrt 10, and some roundings of it
+    EXPECT_NEAR(falls.velocity(0, 0), falling(10, 1, h), 20 * 2.2e-16 * std::sqrt(10.0)) << limit;
+    // Of a push that is not there yet, h |a| = h^(5/2) up to 2^-72 of what it is at the limit is missed.
+    EXPECT_LT(first_step(pushed, late), 0x1p-28 * limit);
+  }
+}
+
+/// exp(-50000 (t - 5.7)^2): v = sqrt(pi / 50000).
+struct Pulse {
+  static constexpr const char* name = "pulse_of_force";
+  static constexpr int participants = 1;
+  static constexpr std::array<const char*, 0> parameters{};
+  template <class T, int D>
+  static Vector<T, D> force(const Participants<T, D, 1>& p) {
+    Vector<T, D> f = Vector<T, D>::Constant(T(0.0));
+    const T s = p.time - 5.7;
+    f[0] = exp(-50000.0 * s * s);
+    return f;
+  }
+};
+
+TEST(SingularStart, TakesNoStepLongerThanTheControlAllows) {
+  System<> system(1, {1.0, 1.0});
+  system.add<Pulse>({{0}}, {std::array<double, 0>{}});
+  system.add<QuadraticDrag>({{1}}, {{1.0}});  // rests, without a series
+  State<> state = at_rest(2, 1);
+  state.velocity(0, 0) = 1;
+  Lockstep schedule(
+      std::make_unique<RandomTaylor>(system, fixed_degree(20), std::make_unique<JorbaZou>(1e-3)));
+  ASSERT_EQ(schedule.run(state, 6, RunOptions{}).outcome, Outcome::success);
+  EXPECT_GE(schedule.work().steps, 6000u);
+  EXPECT_NEAR(state.velocity(0, 0), 1 + std::sqrt(M_PI / 50000), 1e-12);
+}
+
+/// Pushes towards x + v = 0 from both sides: nothing but sliding follows.
+struct ToALine {
+  static constexpr const char* name = "to_a_line";
+  static constexpr int participants = 1;
+  static constexpr std::array<const char*, 0> parameters{};
+  template <class T, int D>
+  static Vector<T, D> force(const Participants<T, D, 1>& p) {
+    Vector<T, D> f = Vector<T, D>::Constant(T(0.0));
+    f[0] = select(p.position[0][0] + p.velocity[0][0] > T(0.0), T(-1.0), T(1.0));
+    return f;
+  }
+};
+
+TEST(SingularStart, OfOneDoesNotKeepAnotherSliding) {
+  System<> system(1, {1.0, 1.0});
+  system.add<ToALine>({{0}}, {std::array<double, 0>{}});
+  system.add<QuadraticDrag>({{1}}, {{1.0}});
+  State<> state = at_rest(2, 1);
+  state.position(0, 0) = 0.5;
+  Lockstep schedule(std::make_unique<RandomTaylor>(system, fixed_degree(20), std::make_unique<JorbaZou>()));
+  RunOptions options;
+  options.max_steps = 2000;
+  EXPECT_EQ(schedule.run(state, 5, options).outcome, Outcome::step_underflow);
+}
+
 }  // namespace
 }  // namespace jetlag::testing::singular_starts_test
