@@ -10,6 +10,7 @@
 #include "ensembles/members.hpp"
 #include "jetlag/base/text.hpp"
 #include "jetlag/control/fixed_step.hpp"
+#include "jetlag/series/functions.hpp"
 
 namespace jetlag {
 
@@ -128,10 +129,18 @@ void check(const System<double>& system, const State<double>& state, std::size_t
       refuse("particle " + std::to_string(p) + " is fixed and must be at rest, not so in that");
 }
 
+/// Whether a force makes choices besides those of its roots, which come to zero at points, as the ends of a spring that meet.
+bool makes_choices(const Tape& force) {
+  return std::ranges::any_of(force.conditions, [&](const Condition& condition) {
+    const int rule = force.nodes[condition.node].rule;
+    return rule != rule_id<Sqrt> && rule != rule_id<RootOfScaled> && rule != rule_id<Power>;
+  });
+}
+
 /// Whether members can go in lanes, whose steps do not end where choices in forces change.
 bool allows_lanes(const System<double>& system, const SeriesMethod& method) {
   const bool has_choices = std::ranges::any_of(system.elements(), [](const Elements<double>& elements) {
-    return elements.count() > 0 && !elements.law.force.conditions.empty();
+    return elements.count() > 0 && makes_choices(elements.law.force);
   });
   return !has_choices && !method.options.compensated && std::holds_alternative<TruncationLaw>(method.law) &&
          dynamic_cast<const FixedStep*>(method.control.get()) != nullptr;
@@ -165,7 +174,7 @@ RandomEnsemble::RandomEnsemble(const System<double>& system, const SeriesMethod&
   if (options.layout == Layout::in_lanes && !allows_lanes(system, method))
     throw std::invalid_argument(
         "RandomEnsemble: lanes need a FixedStep, sums that are not compensated, a law that is known "
-        "beforehand, and forces without choices (select, abs, min, max, roots that may reach zero)");
+        "beforehand, and forces without choices (select, abs, min, max)");
   const bool lanes =
       options.layout == Layout::in_lanes ||
       (options.layout == Layout::automatic && allows_lanes(system, method) && fits_lanes(system));

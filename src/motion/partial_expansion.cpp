@@ -6,7 +6,7 @@
 #include <cassert>
 #include <cstring>
 
-#include "base/wide.hpp"
+#include "jetlag/base/wide.hpp"
 #include "jetlag/motion/accelerate.hpp"
 
 namespace jetlag {

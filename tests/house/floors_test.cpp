@@ -37,7 +37,7 @@ const std::vector<Room> house = {
      {"base", "series", "model", "motion", "truncation", "control"},
      {"base", "model", "truncation"}},
     {"ensembles",
-     {"base", "tape", "model", "motion", "truncation", "control", "integrators"},
+     {"base", "series", "tape", "model", "motion", "truncation", "control", "integrators"},
      {"base", "truncation"}},
     {"schedule", {"base", "series", "tape", "model", "motion", "truncation", "control", "integrators"}},
     {"output", {"base", "model", "motion", "schedule"}},

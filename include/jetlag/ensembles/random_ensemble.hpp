@@ -52,7 +52,7 @@ class RandomEnsemble {
   /// Keeps no reference to the system. The states have one time; their rests are dropped.
   /// Throws std::invalid_argument for a state of another shape, a fixed particle that is not at rest and times that
   /// differ or are not finite; for Layout::in_lanes with compensated sums, a control that is not FixedStep, or forces that make
-  /// choices (forces/force.hpp).
+  /// choices (forces/force.hpp) other than roots: these come to zero at points, which lanes may step over.
   RandomEnsemble(const System<double>& system, const SeriesMethod& method,
                  const std::vector<State<double>>& states, const Options& options);
   RandomEnsemble(const System<double>& system, const SeriesMethod& method,

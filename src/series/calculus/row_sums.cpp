@@ -7,7 +7,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "base/wide.hpp"
+#include "jetlag/base/wide.hpp"
 
 namespace jetlag::detail {
 
