@@ -41,8 +41,8 @@ Report never_short_enough(double time, int particle) {
 
 }  // namespace
 
-/// A step of at most `limit`, and the longest one of the control, where there is no whole series, but the first coefficients of all particles. Returns 0 with
-/// the report as it was where there are not, or where the law may not be left.
+/// A step of at most `limit`, and the longest one of the control, where there is no whole series, but the first coefficients of
+/// all particles. Returns 0 with the report as it was where there are not, or where the law may not be left.
 double RandomTaylor::short_step(State<double>& state, double limit, const StepsToChanges<double>& changes,
                                 Report& report) {
   const TruncationLaw& law = stops().law();
@@ -87,7 +87,8 @@ int RandomTaylor::least_known() const {
   return static_cast<int>(std::ranges::min_element(known_) - known_.begin());
 }
 
-/// Whether the forces are those to which the series leads, at the end of the step and within it. The state at the end stays in next_.
+/// Whether the forces are those to which the series leads, at the end of the step and within it. The state at the end stays in
+/// next_.
 bool RandomTaylor::agrees_all_along(const State<double>& from, double h, ShortStepBound& bound) {
   // Just beyond a change of a choice forces have gone another way: a little before.
   const double before = h * (1 - 0x1p-20);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "integrators/changes/singular_laws.hpp"
 #include "jetlag/control/fixed_step.hpp"
 #include "jetlag/ensembles/ensemble.hpp"
 #include "jetlag/ensembles/random_ensemble.hpp"
@@ -13,6 +14,8 @@
 
 namespace jetlag::testing::ensemble_checks_test {
 namespace {
+
+using singular_laws::Push, singular_laws::QuadraticDrag, singular_laws::Sawtooth, singular_laws::ToALine;
 
 /// A rope of length 1 to the origin, which pulls back what is beyond.
 struct Rope {
@@ -24,45 +27,6 @@ struct Rope {
     Vector<T, D> f = Vector<T, D>::Constant(T(0.0));
     const T& x = p.position[0][0];
     f[0] = select(x > T(1.0), T(stiffness * (T(1.0) - x)), T(0.0));
-    return f;
-  }
-};
-
-/// F = atan2(sin t, cos t): t, with a jump to t - 2 pi at pi of which the tape knows nothing.
-struct Sawtooth {
-  static constexpr const char* name = "sawtooth of an angle";
-  static constexpr int participants = 1;
-  static constexpr std::array<const char*, 0> parameters{};
-  template <class T, int D>
-  static Vector<T, D> force(const Participants<T, D, 1>& p) {
-    Vector<T, D> f = Vector<T, D>::Constant(T(0.0));
-    f[0] = atan2(sin(p.time), cos(p.time));
-    return f;
-  }
-};
-
-/// Pushes the more to the side the farther it is from it: nothing holds it there.
-struct Towards {
-  static constexpr const char* name = "towards";
-  static constexpr int participants = 1;
-  static constexpr std::array<const char*, 0> parameters{};
-  template <class T, int D>
-  static Vector<T, D> force(const Participants<T, D, 1>& p) {
-    Vector<T, D> f = Vector<T, D>::Constant(T(0.0));
-    f[0] = select(p.position[0][0] + p.velocity[0][0] > T(0.0), T(-1.0), T(1.0));
-    return f;
-  }
-};
-
-/// 1 N from 1 s to 2 s.
-struct Push {
-  static constexpr const char* name = "push";
-  static constexpr int participants = 1;
-  static constexpr std::array<const char*, 0> parameters{};
-  template <class T, int D>
-  static Vector<T, D> force(const Participants<T, D, 1>& p) {
-    Vector<T, D> f = Vector<T, D>::Constant(T(0.0));
-    f[0] = select(p.time >= T(1.0) && p.time < T(2.0), T(1.0), T(0.0));
     return f;
   }
 };
@@ -147,19 +111,8 @@ TEST(EnsembleChecks, LookAtTheLastEndToo) {
   EXPECT_NEAR(driven.state(0).velocity(0, 0), v, 1e-9);
 }
 
-/// F = -|v| v: no series at rest.
-struct AirDrag {
-  static constexpr const char* name = "air_drag";
-  static constexpr int participants = 1;
-  static constexpr std::array<const char*, 0> parameters{};
-  template <class T, int D>
-  static Vector<T, D> force(const Participants<T, D, 1>& p) {
-    return T(-p.velocity[0].norm()) * p.velocity[0];
-  }
-};
-
 TEST(EnsembleChecks, FallsFromRestStart) {  // against drag: v = tanh t
-  System<double> system = of_one<AirDrag>();
+  System<double> system = of_one<QuadraticDrag>(1.0);
   system.add<UniformField>({{0}}, {{1.0, 0.0, 0.0}});
   Ensemble falling(system, 20, {at(0, 0), at(3, 0), at(0, 0.5)});
   falling.advance_to(2);
@@ -171,7 +124,7 @@ TEST(EnsembleChecks, FallsFromRestStart) {  // against drag: v = tanh t
 }
 
 TEST(EnsembleChecks, SlidingMotionsEnd) {
-  Ensemble sliding(of_one<Towards>(), 20, {at(0.5, 0), at(1e3, 0)});
+  Ensemble sliding(of_one<ToALine>(), 20, {at(0.5, 0), at(1e3, 0)});
   sliding.advance_to(5);
   EXPECT_EQ(sliding.outcome(0), Outcome::step_underflow);
   EXPECT_LT(sliding.state(0).time, 5);

@@ -10,6 +10,7 @@
 #include <limits>
 #include <vector>
 
+#include "integrators/changes/singular_laws.hpp"
 #include "jetlag/forces/gravity.hpp"
 #include "jetlag/forces/spring.hpp"
 #include "support/digits50.hpp"
@@ -222,23 +223,10 @@ TEST(ParticleTaylor, RefusesWhatItCannotDo) {
 
 // ---- the forces at the end of a step -------------------------------------------------------------------------
 
-/// F = atan2(sin t, cos t): t, with a jump to t - 2 pi at pi of which the tape knows nothing.
-struct SawtoothOfTime {
-  static constexpr const char* name = "sawtooth of time";
-  static constexpr int participants = 1;
-  static constexpr std::array<const char*, 0> parameters{};
-  template <class T, int D>
-  static Vector<T, D> force(const Participants<T, D, 1>& p) {
-    Vector<T, D> f = Vector<T, D>::Constant(T(0.0));
-    f[0] = atan2(sin(p.time), cos(p.time));
-    return f;
-  }
-};
-
 template <class T>
 void expect_no_jump_passed_over() {
   System<T> system(1, {T(1)});
-  system.template add<SawtoothOfTime>({{0}}, {std::array<T, 0>{}});
+  system.template add<singular_laws::Sawtooth>({{0}}, {std::array<T, 0>{}});
   for (const double until : {3.3, 5.0}) {
     ParticleTaylor<T> method(system);
     State<T> state{T(0), Coordinates<T>::Constant(1, 1, T(0)), Coordinates<T>::Constant(1, 1, T(0))};

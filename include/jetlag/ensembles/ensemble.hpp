@@ -31,7 +31,8 @@ struct SystemLanes;
 /// doubles, and their trajectories are stepped by what is left.
 ///
 /// A trajectory takes a step by itself, as RandomTaylor does, where its series is not finite, where a choice in a force may
-/// change (forces/force.hpp), or where the forces at the end of its step do not plainly agree with the series, whose step is then taken anew:
+/// change (forces/force.hpp), or where the forces at the end of its step do not plainly agree with the series, whose step is
+/// then taken anew:
 ///
 ///     h^2 |a - x''|  <=  2^16 eps max(|x|, m) + 16 N e^(-2(N-1)) m,   m = max(h |v|, h^2 |a|) at the beginning.
 ///

@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+#include "integrators/changes/singular_laws.hpp"
 #include "jetlag/control/fixed_step.hpp"
 #include "jetlag/control/jorba_zou.hpp"
 #include "jetlag/forces/forces.hpp"
@@ -21,16 +22,7 @@
 namespace jetlag::testing::changing_forces_test {
 namespace {
 
-/// F = -c |v| v.
-struct QuadraticDrag {
-  static constexpr const char* name = "quadratic_drag";
-  static constexpr int participants = 1;
-  static constexpr std::array parameters{"coefficient"};
-  template <class T, int D>
-  static Vector<T, D> force(const Participants<T, D, 1>& p, const T& c) {
-    return T(-c * p.velocity[0].norm()) * p.velocity[0];
-  }
-};
+using singular_laws::QuadraticDrag;
 
 /// Pulls where |x| > 1:  F = -k (|x| - 1) x / |x|.
 struct Rope {

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "integrators/changes/singular_laws.hpp"
 #include "jetlag/control/fixed_step.hpp"
 #include "jetlag/control/jorba_zou.hpp"
 #include "jetlag/control/last_two.hpp"
@@ -26,21 +27,10 @@
 namespace jetlag::testing::forces_at_end_test {
 namespace {
 
+using singular_laws::Sawtooth;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-/// F = atan2(sin t, cos t) along x: t, with a jump to t - 2 pi at pi of which the tape knows nothing.
-struct Sawtooth {
-  static constexpr const char* name = "sawtooth";
-  static constexpr int participants = 1;
-  static constexpr std::array<const char*, 0> parameters{};
-  template <class T, int D>
-  static Vector<T, D> force(const Participants<T, D, 1>& p) {
-    Vector<T, D> f = Vector<T, D>::Constant(T(0.0));
-    f[0] = atan2(sin(p.time), cos(p.time));
-    return f;
-  }
-};
 constexpr double t_end = 5;
 constexpr double v_end = M_PI * M_PI / 2 + (t_end - M_PI) * (t_end - M_PI) / 2 - M_PI * (t_end - M_PI);
 const double x_end = std::pow(M_PI, 3) / 6 + M_PI * M_PI / 2 * (t_end - M_PI) +

@@ -87,6 +87,32 @@ struct Push {
   }
 };
 
+/// F = atan2(sin t, cos t) along x: t, with a jump to t - 2 pi at pi of which the tape knows nothing.
+struct Sawtooth {
+  static constexpr const char* name = "sawtooth";
+  static constexpr int participants = 1;
+  static constexpr std::array<const char*, 0> parameters{};
+  template <class T, int D>
+  static Vector<T, D> force(const Participants<T, D, 1>& p) {
+    Vector<T, D> f = Vector<T, D>::Constant(T(0.0));
+    f[0] = atan2(sin(p.time), cos(p.time));
+    return f;
+  }
+};
+
+/// Pushes towards x + v = 0 from both sides: nothing but sliding follows.
+struct ToALine {
+  static constexpr const char* name = "to_a_line";
+  static constexpr int participants = 1;
+  static constexpr std::array<const char*, 0> parameters{};
+  template <class T, int D>
+  static Vector<T, D> force(const Participants<T, D, 1>& p) {
+    Vector<T, D> f = Vector<T, D>::Constant(T(0.0));
+    f[0] = select(p.position[0][0] + p.velocity[0][0] > T(0.0), T(-1.0), T(1.0));
+    return f;
+  }
+};
+
 inline constexpr std::array<double, 0> none{};
 
 inline State<> at_rest(int particles, int dimension) {

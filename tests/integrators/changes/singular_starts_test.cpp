@@ -332,19 +332,6 @@ TEST(SingularStart, TakesNoStepLongerThanTheControlAllows) {
   EXPECT_NEAR(state.velocity(0, 0), 1 + std::sqrt(M_PI / 50000), 1e-12);
 }
 
-/// Pushes towards x + v = 0 from both sides: nothing but sliding follows.
-struct ToALine {
-  static constexpr const char* name = "to_a_line";
-  static constexpr int participants = 1;
-  static constexpr std::array<const char*, 0> parameters{};
-  template <class T, int D>
-  static Vector<T, D> force(const Participants<T, D, 1>& p) {
-    Vector<T, D> f = Vector<T, D>::Constant(T(0.0));
-    f[0] = select(p.position[0][0] + p.velocity[0][0] > T(0.0), T(-1.0), T(1.0));
-    return f;
-  }
-};
-
 TEST(SingularStart, OfOneDoesNotKeepAnotherSliding) {
   System<> system(1, {1.0, 1.0});
   system.add<ToALine>({{0}}, {std::array<double, 0>{}});
