@@ -15,6 +15,7 @@
 
 namespace jetlag {
 
+namespace long_runs {  // batches compile studies together
 namespace {
 
 constexpr double period = 2 * std::numbers::pi;
@@ -149,14 +150,17 @@ std::vector<Option> options_of_both(Arguments& a) {
 }
 
 }  // namespace
+}  // namespace long_runs
 
 Command kepler_study() {
+  using namespace long_runs;
   return command<Arguments>("kepler",
                             "planets of e = .9, .99, .999: steps a period and what becomes of the energy",
                             run_kepler, options_of_both, {1000, 1});
 }
 
 Command brouwer_study() {
+  using namespace long_runs;
   return command<Arguments>(
       "brouwer", "how the energy errors of planets from random phases grow with time", run_brouwer,
       [](Arguments& a) {

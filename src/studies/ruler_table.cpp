@@ -16,6 +16,7 @@
 
 namespace jetlag {
 
+namespace ruler_table {  // batches compile studies together
 namespace {
 
 struct Arguments {
@@ -115,8 +116,10 @@ int run_it(const Arguments& arguments) {
 }
 
 }  // namespace
+}  // namespace ruler_table
 
 Command ruler_study() {
+  using namespace ruler_table;
   return command<Arguments>("ruler", "errors of a planet with fixed and random degrees, by kind of draw",
                             run_it, [](Arguments& a) -> std::vector<Option> {
                               return {{"--eccentricity", &a.eccentricity, "of the orbit", Between{0, 0.9}},

@@ -12,6 +12,7 @@
 
 namespace jetlag {
 
+namespace avi_drift {  // batches compile studies together
 namespace {
 
 struct Arguments {
@@ -67,8 +68,10 @@ int run_it(const Arguments& arguments) {
 }
 
 }  // namespace
+}  // namespace avi_drift
 
 Command avi_drift_study() {
+  using namespace avi_drift;
   return command<Arguments>("avi_drift", "energy and momentum of a chain over a long run of avi", run_it,
                             [](Arguments& a) -> std::vector<Option> {
                               return {{"--until", &a.until, "length of the runs [s]", Between{10, 1e7}},

@@ -16,6 +16,7 @@
 
 namespace jetlag {
 
+namespace collapse {  // batches compile studies together
 namespace {
 
 constexpr double lead = 0.37, until = 1.0;  // [s]
@@ -134,8 +135,10 @@ int run_it(const Arguments& arguments) {
 }
 
 }  // namespace
+}  // namespace collapse
 
 Command collapse_study() {
+  using namespace collapse;
   return command<Arguments>(
       "collapse",
       "a spring that collapses in a body: updates and errors by distance, clocks beside one clock", run_it,

@@ -18,6 +18,7 @@
 
 namespace jetlag {
 
+namespace mass_ratio {  // batches compile studies together
 namespace {
 
 struct Arguments {
@@ -97,8 +98,10 @@ int run_it(const Arguments& arguments) {
 }
 
 }  // namespace
+}  // namespace mass_ratio
 
 Command mass_ratio_study() {
+  using namespace mass_ratio;
   return command<Arguments>("mass_ratio",
                             "a heavy mass shaken by a light one: updates of each, energy over many periods",
                             run_it, [](Arguments& a) -> std::vector<Option> {

@@ -173,6 +173,7 @@ HardResult run_hard_case(const Problem& hard, const HardMethod& method, double e
   return result;
 }
 
+namespace hard_cases {  // batches compile studies together
 namespace {
 
 struct Arguments {
@@ -273,8 +274,10 @@ int run_study(const Arguments& arguments) {
 }
 
 }  // namespace
+}  // namespace hard_cases
 
 Command hard_cases_study() {
+  using namespace hard_cases;
   return command<Arguments>(
       "hard_cases", "every method on motions that break methods", run_study,
       [](Arguments& a) -> std::vector<Option> {

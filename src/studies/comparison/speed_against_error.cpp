@@ -26,6 +26,7 @@ namespace jetlag {
 
 using problems::Problem;
 
+namespace speed_against_error {  // batches compile studies together
 namespace {
 
 struct Arguments {
@@ -263,8 +264,10 @@ std::vector<std::string> names_of_families() {
 }
 
 }  // namespace
+}  // namespace speed_against_error
 
 Command speed_against_error_study() {
+  using namespace speed_against_error;
   return command<Arguments>(
       "speed_against_error", "work against error of all methods, as tables, CSV and pictures", run_study,
       [](Arguments& a) -> std::vector<Option> {

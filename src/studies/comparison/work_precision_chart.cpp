@@ -14,18 +14,18 @@ namespace jetlag {
 
 namespace {
 
-using Point = std::pair<double, double>;  // cost, error
+using CostAndError = std::pair<double, double>;
 
 /// Those that are not beaten, by cost.
-std::vector<Point> front(std::vector<Point> points) {
+std::vector<CostAndError> front(std::vector<CostAndError> points) {
   std::ranges::sort(points);
-  std::vector<Point> best;
-  for (const Point& point : points)
+  std::vector<CostAndError> best;
+  for (const CostAndError& point : points)
     if (best.empty() || point.second < best.back().second) best.push_back(point);
   return best;
 }
 
-std::string block(const std::vector<Point>& points) {
+std::string block(const std::vector<CostAndError>& points) {
   std::string text;
   for (const auto& [cost, error] : points) text += number(cost) + ',' + number(error) + '\n';
   return text + "\n\n";
@@ -49,7 +49,7 @@ void draw_work_precision(const std::filesystem::path& picture, const std::string
   int index = 0;
   for (int panel = 0; panel < 2; ++panel)
     for (std::size_t f = 0; f < families.size(); ++f) {
-      std::vector<Point> all;
+      std::vector<CostAndError> all;
       for (const auto& point : points)
         if (point.family == families[f] && point.error <= ceiling)
           all.emplace_back(panel == 0 ? point.work : point.seconds, std::max(point.error, floor));

@@ -21,6 +21,7 @@
 
 namespace jetlag {
 
+namespace paper_figures {  // batches compile studies together
 namespace {
 
 struct Arguments {
@@ -220,8 +221,10 @@ int run_figures(const Arguments& arguments) {
 }
 
 }  // namespace
+}  // namespace paper_figures
 
 Command paper_figures_study() {
+  using namespace paper_figures;
   return command<Arguments>("paper_figures", "the paper's figures 1 to 3, with numbers", run_figures,
                             [](Arguments& a) -> std::vector<Option> {
                               return {{"--mesh", &a.mesh, "a Medit mesh in place of the generated body"},

@@ -14,6 +14,7 @@
 
 namespace jetlag {
 
+namespace paper_table {  // batches compile studies together
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -109,8 +110,10 @@ int run_table(const Arguments& arguments) {
 }
 
 }  // namespace
+}  // namespace paper_table
 
 Command paper_table_study() {
+  using namespace paper_table;
   return command<Arguments>("paper_table", "the paper's table of eight runs of a soft body, in numbers",
                             run_table, [](Arguments& a) -> std::vector<Option> {
                               return {{"--mesh", &a.mesh, "a Medit mesh in place of the generated body"},

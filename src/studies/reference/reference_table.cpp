@@ -10,6 +10,7 @@
 
 namespace jetlag {
 
+namespace reference_table {  // batches compile studies together
 namespace {
 
 struct Arguments {
@@ -37,8 +38,10 @@ int run_table(const Arguments& arguments) {
 }
 
 }  // namespace
+}  // namespace reference_table
 
 Command reference_problems_study() {
+  using namespace reference_table;
   return command<Arguments>("reference_problems",
                             "problems with known end values, and what is missed of them", run_table,
                             [](Arguments& a) -> std::vector<Option> {
