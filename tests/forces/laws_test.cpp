@@ -5,344 +5,292 @@
 
 #include <Eigen/Eigenvalues>
 #include <array>
-#include <boost/multiprecision/eigen.hpp>
 #include <cmath>
+#include <functional>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "jetlag/forces/forces.hpp"
+#include "forces/laws_on_jets.hpp"
 #include "jetlag/motion/expansion.hpp"
 #include "jetlag/tape/program.hpp"
 #include "support/close.hpp"
-#include "support/digits50.hpp"
-#include "support/laws_of_many.hpp"
 #include "support/random.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::force_laws_test {
 namespace {
 
-template <class List>
-struct AsTestTypes;
-template <ForceLaw... L>
-struct AsTestTypes<LawList<L...>> {
-  using type = ::testing::Types<L..., Angle, Bend, Tetrahedron, Anchors>;
-};
-struct NameOfLaw {
-  template <class L>
-  static std::string GetName(int) {
-    return L::name;
-  }
-};
-
-template <class L>
-class ForceLaws : public ::testing::Test {
+class ForceLaws : public ::testing::TestWithParam<LawOnJets> {
  protected:
-  static constexpr int n = static_cast<int>(L::parameters.size());
-  static constexpr int participants = L::participants;
-  static constexpr bool has_energy = requires(Participants<double, 3, participants> p) {
-    []<std::size_t... I>(const auto& q,
-                         std::index_sequence<I...>) -> decltype(L::energy(q, ((void)I, 0.0)...)) {
-      return {};
-    }(p, std::make_index_sequence<n>{});
-  };
-  template <class T>
-  using Parameters = std::array<T, n>;
+  const LawOnJets& law = GetParam();
+  const int participants = law.participants;
 
   /// Particles at random, each in the positive octant from the one before: they do not meet.
-  template <int D>
-  static Participants<double, D, participants> random_participants(Uniform& draw) {
-    Participants<double, D, participants> p;
+  Moving random_participants(int dimension, Uniform& draw) const {
+    Moving p;
     for (int i = 0; i < participants; ++i) {
-      for (int c = 0; c < D; ++c) {
-        p.position[i][c] = draw(0, 1) + 1.5 * i;
-        p.velocity[i][c] = draw(-1, 1);
+      for (int c = 0; c < dimension; ++c) {
+        p.position.emplace_back(draw(0, 1) + 1.5 * i);
+        p.velocity.emplace_back(draw(-1, 1));
       }
-      p.mass[i] = draw(0.5, 2);
+      p.mass.push_back(draw(0.5, 2));
     }
     p.time = draw(0, 1);
     return p;
   }
 
-  static Parameters<double> random_parameters(Uniform& draw) {
-    Parameters<double> c;
+  Parameters random_parameters(Uniform& draw) const {
+    Parameters c(law.parameters);
     for (double& x : c) x = draw(0.5, 2);
     return c;
   }
 
-  template <class T, int D>
-  static Participants<T, D, participants> converted(const Participants<double, D, participants>& p) {
-    Participants<T, D, participants> q;
-    for (int i = 0; i < participants; ++i) {
-      for (int c = 0; c < D; ++c) {
-        q.position[i][c] = T(p.position[i][c]);
-        q.velocity[i][c] = T(p.velocity[i][c]);
+  /// From where they are, along random polynomials.
+  static Moving set_in_motion(Moving p) {
+    Uniform draw(5);
+    for (int k = 1; k <= degree; ++k)
+      for (std::size_t i = 0; i < p.position.size(); ++i) {
+        p.position[i][k] = draw(-1, 1) * std::ldexp(0.5, -k);
+        p.velocity[i][k] = draw(-1, 1) * std::ldexp(0.5, -k);
       }
-      q.mass[i] = T(p.mass[i]);
-    }
-    q.time = T(p.time);
-    return q;
+    p.time[1] = 1.0;
+    return p;
   }
 
-  /// The forces on all participants, one after the other, shape (participants x D).
-  template <class T, int D>
-  static Eigen::Matrix<T, D * participants, 1> forces(const Participants<T, D, participants>& p,
-                                                      const Parameters<double>& c) {
-    const auto given = [&]<std::size_t... I>(std::index_sequence<I...>) {
-      return forces_of<L>(p, T(c[I])...);
-    }(std::make_index_sequence<n>{});
-    Eigen::Matrix<T, D * participants, 1> all = Eigen::Matrix<T, D * participants, 1>::Constant(T(0.0));
-    for (int i = 0; i < forces_given<L>; ++i) {
-      all.template segment<D>(i * D) += given[i];
-      if constexpr (!is_external<L>()) all.template tail<D>() -= given[i];
-    }
-    return all;
+  /// The forces on all participants, one after the other, from those given.
+  template <class T>
+  std::vector<T> on_all(std::vector<T> forces, int dimension) const {
+    if (law.external) return forces;
+    std::vector<T> last(dimension, T(0.0));
+    for (std::size_t i = 0; i < forces.size(); ++i) last[i % dimension] -= forces[i];
+    forces.insert(forces.end(), last.begin(), last.end());
+    return forces;
+  }
+  std::vector<Tracked> forces(const LawInDimension& in, const Moving& p, const Parameters& c) const {
+    return on_all(in.given(p, c), in.dimension);
   }
 
-  template <class T, int D>
-  static T energy(const Participants<T, D, participants>& p, const Parameters<double>& c) {
-    return [&]<std::size_t... I>(std::index_sequence<I...>) {
-      return T(L::energy(p, T(c[I])...));
-    }(std::make_index_sequence<n>{});
-  }
-
-  /// f(dimension as a constant, random participants, random parameters), several times in each dimension.
-  template <class F>
-  static void at_random_participants(F f) {
+  /// f(the law, random participants at rest, random parameters), several times in each dimension.
+  using Test = std::function<void(const LawInDimension& in, const Moving& p, const Parameters& c)>;
+  void at_random_participants(const Test& f) const {
     Uniform draw(11);
-    const auto in_dimension = [&]<int D>(std::integral_constant<int, D> dimension) {
-      SCOPED_TRACE("dimension " + std::to_string(D));
-      for (int i = 0; i < 10; ++i) f(dimension, random_participants<D>(draw), random_parameters(draw));
-    };
-    if constexpr (is_defined_in<L>(1)) in_dimension(std::integral_constant<int, 1>{});
-    if constexpr (is_defined_in<L>(2)) in_dimension(std::integral_constant<int, 2>{});
-    if constexpr (is_defined_in<L>(3)) in_dimension(std::integral_constant<int, 3>{});
+    for (const LawInDimension& in : law.in_dimensions) {
+      SCOPED_TRACE("dimension " + std::to_string(in.dimension));
+      for (int i = 0; i < 10; ++i) {
+        const Parameters c = random_parameters(draw);
+        f(in, random_participants(in.dimension, draw), c);
+      }
+    }
+  }
+
+  /// One element, whose participants are all particles, of the masses given.
+  System<> system_of(const LawInDimension& in, const Parameters& c, double mass) const {
+    System<> system(in.dimension, std::vector<double>(participants, mass));
+    std::vector<int> all(participants);
+    for (int i = 0; i < participants; ++i) all[i] = i;
+    system.add(in.recorded(in.dimension), all, c);
+    return system;
+  }
+  State<> state_of(const LawInDimension& in, const Moving& p) const {
+    State<> state{0.0, Coordinates<>(participants, in.dimension), Coordinates<>(participants, in.dimension)};
+    for (int i = 0; i < participants * in.dimension; ++i) {
+      state.position.data()[i] = p.position[i][0].value;
+      state.velocity.data()[i] = p.velocity[i][0].value;
+    }
+    return state;
   }
 };
-TYPED_TEST_SUITE(ForceLaws, AsTestTypes<Forces>::type, NameOfLaw);
+INSTANTIATE_TEST_SUITE_P(, ForceLaws, ::testing::ValuesIn(all_laws()),
+                         [](const auto& info) { return info.param.name; });
 
-TYPED_TEST(ForceLaws, ForceIsMinusTheGradientOfTheEnergy) {
-  if constexpr (!TestFixture::has_energy) {
-    GTEST_SKIP() << TypeParam::name << " has no energy";
-  } else {
-    TestFixture::at_random_participants(
-        []<int D>(std::integral_constant<int, D>, const auto& p, const auto& c) {
-          using J = Jet<RunningError<double>, 1>;
-          const auto still = TestFixture::template converted<J, D>(p);
-          const auto force = TestFixture::template forces<J, D>(still, c);
-          for (int participant = 0; participant < TypeParam::participants; ++participant)
-            for (int axis = 0; axis < D; ++axis) {
-              auto moved = still;
-              moved.position[participant][axis][1] = 1.0;  // coefficient 1 of the energy is its derivative
-              const RunningError<double> slope = TestFixture::template energy<J, D>(moved, c)[1];
-              const RunningError<double> expected = -force[participant * D + axis][0];
-              EXPECT_THAT(slope, IsCloseTo(expected)) << "participant " << participant << ", axis " << axis;
-            }
-        });
-  }
+TEST_P(ForceLaws, ForceIsMinusTheGradientOfTheEnergy) {
+  if (!law.has_energy) GTEST_SKIP() << law.name << " has no energy";
+  at_random_participants([&](const LawInDimension& in, const Moving& still, const Parameters& c) {
+    const auto force = forces(in, still, c);
+    for (std::size_t i = 0; i < force.size(); ++i) {
+      auto moved = still;
+      moved.position[i][1] = 1.0;  // coefficient 1 of the energy is its derivative
+      const Number slope = in.energy(moved, c)[1], expected = -force[i][0];
+      EXPECT_THAT(slope, IsCloseTo(expected))
+          << "participant " << i / in.dimension << ", axis " << i % in.dimension;
+    }
+  });
 }
 
-TYPED_TEST(ForceLaws, TurningTheWorldTurnsTheForceBetweenParticles) {
-  if constexpr (is_external<TypeParam>()) {
-    GTEST_SKIP() << TypeParam::name << " acts from outside and may know a direction";
-  } else {
-    TestFixture::at_random_participants([]<int D>(std::integral_constant<int, D>, const auto& p,
-                                                  const auto& c) {
-      // Turned by half-angle tangents 1/3 and -3/4 in two planes; on a line, by half a turn. The rotation
-      // is orthogonal to 50 digits, and a handful of operations lose less than five of them.
-      Eigen::Matrix<Digits50, D, D> turn = Eigen::Matrix<Digits50, D, D>::Identity();
-      if constexpr (D == 1) turn(0, 0) = -1;
-      const auto turn_plane = [&](int a, int b, const Digits50& t) {
-        Eigen::Matrix<Digits50, D, D> r = Eigen::Matrix<Digits50, D, D>::Identity();
-        r(a, a) = r(b, b) = (1 - t * t) / (1 + t * t);
-        r(a, b) = -2 * t / (1 + t * t);
-        r(b, a) = 2 * t / (1 + t * t);
-        turn = (r * turn).eval();
-      };
-      for (int axis = 0; axis + 1 < D; ++axis)
-        turn_plane(axis, axis + 1, Digits50(axis == 0 ? 1 : -3) / (3 + axis));
+/// An orthogonal matrix, wrong by the rounding that its numbers carry.
+using Turn = std::array<std::array<Number, 3>, 3>;
 
-      const auto before = TestFixture::template converted<Digits50, D>(p);
-      auto after = before;
-      for (int i = 0; i < TypeParam::participants; ++i) {
-        after.position[i] = turn * before.position[i];
-        after.velocity[i] = turn * before.velocity[i];
+/// By half-angle tangents 1/3 and -3/4 in two planes; on a line, by half a turn.
+Turn turn_in(int dimension) {
+  Turn turn{};
+  for (int i = 0; i < 3; ++i) turn[i][i] = dimension == 1 ? -1.0 : 1.0;
+  for (int a = 0; a + 1 < dimension; ++a) {
+    const Number t = Number(a == 0 ? 1 : -3) / Number(3 + a), one = 1.0;
+    const Number cos = (one - t * t) / (one + t * t), sin = (t + t) / (one + t * t);
+    for (int column = 0; column < 3; ++column) {
+      const Number x = turn[a][column], y = turn[a + 1][column];
+      turn[a][column] = cos * x - sin * y;
+      turn[a + 1][column] = sin * x + cos * y;
+    }
+  }
+  return turn;
+}
+std::vector<Tracked> turned(const Turn& turn, const std::vector<Tracked>& vectors, int dimension) {
+  std::vector<Tracked> all(vectors.size());
+  for (int i = 0; i < static_cast<int>(vectors.size()); ++i)
+    for (int c = 0; c < dimension; ++c)
+      all[i] += Tracked(turn[i % dimension][c]) * vectors[i - i % dimension + c];
+  return all;
+}
+
+TEST_P(ForceLaws, TurningTheWorldTurnsTheForceBetweenParticles) {  // along the whole motion
+  if (law.external) GTEST_SKIP() << law.name << " acts from outside and may know a direction";
+  at_random_participants([&](const LawInDimension& in, const Moving& p, const Parameters& c) {
+    const Turn turn = turn_in(in.dimension);
+    const Moving before = set_in_motion(p);
+    Moving after = before;
+    after.position = turned(turn, before.position, in.dimension);
+    after.velocity = turned(turn, before.velocity, in.dimension);
+    const auto expected = turned(turn, forces(in, before, c), in.dimension);
+    const auto actual = forces(in, after, c);
+    for (std::size_t i = 0; i < actual.size(); ++i)
+      EXPECT_THAT(actual[i], IsCloseTo(expected[i])) << "component " << i;
+  });
+}
+
+TEST_P(ForceLaws, IsTheSameOnNumbersAndOnJets) {  // but for the order in which Eigen sums components
+  at_random_participants([&](const LawInDimension& in, const Moving& p, const Parameters& c) {
+    const auto on_numbers = on_all(in.given_on_numbers(p, c), in.dimension);
+    const auto on_jets = forces(in, p, c);
+    ASSERT_EQ(on_numbers.size(), on_jets.size());
+    for (std::size_t i = 0; i < on_numbers.size(); ++i)
+      EXPECT_THAT(on_jets[i], IsCloseTo(Tracked(on_numbers[i]))) << "component " << i;
+  });
+}
+
+TEST_P(ForceLaws, IsTheSameOnJetsAndOnATape) {
+  at_random_participants([&](const LawInDimension& in, const Moving& p, const Parameters& c) {
+    const Moving moving = set_in_motion(p);
+    const auto on_jets = in.given(moving, c);
+
+    Parameters parameters = c;
+    parameters.insert(parameters.end(), p.mass.begin(), p.mass.end());
+    const Program program(in.recorded(in.dimension).force);
+    Blocks<double> blocks(program, 1, parameters, scalar_kernels<double>());
+    blocks.reserve(degree + 1);
+    std::vector<Tracked> on_tape(on_jets.size());
+    ASSERT_EQ(program.outputs.size(), on_tape.size());
+    for (int k = 0; k <= degree; ++k) {
+      for (const auto& [place, input] : program.inputs) {
+        const auto of = [&](const std::vector<Tracked>& vectors, int i) {
+          return vectors[i * in.dimension + input.component][k].value;
+        };
+        double& to = *blocks.at(0, place, k);
+        switch (input.kind) {
+          case Input::Kind::time: to = moving.time[k].value; break;
+          case Input::Kind::position: to = of(moving.position, input.participant); break;
+          case Input::Kind::separation:
+            to = of(moving.position, input.participant) - of(moving.position, input.minus);
+            break;
+          case Input::Kind::velocity: to = of(moving.velocity, input.participant);
+        }
       }
-      auto turned = TestFixture::template forces<Digits50, D>(before, c);
-      for (int i = 0; i < TypeParam::participants; ++i)
-        turned.template segment<D>(i * D) = (turn * turned.template segment<D>(i * D)).eval();
-      EXPECT_THAT((TestFixture::template forces<Digits50, D>(after, c)), IsCloseTo(turned, within(1e-45)));
-    });
+      blocks.run(0, k);
+      for (std::size_t i = 0; i < on_tape.size(); ++i)
+        on_tape[i][k] = program.is_static && k > 0 ? 0.0 : *blocks.at(0, program.outputs[i], k);
+    }
+    for (std::size_t i = 0; i < on_tape.size(); ++i)
+      EXPECT_THAT(on_jets[i], IsCloseTo(on_tape[i])) << "component " << i;
+  });
+}
+
+TEST_P(ForceLaws, PushesEqualParticlesSoThatTheSumIsZero) {  // to the last bit
+  if (law.external) GTEST_SKIP() << law.name << " acts from outside";
+  at_random_participants([&](const LawInDimension& in, const Moving& p, const Parameters& c) {
+    const System<> system = system_of(in, c, p.mass[0]);
+    Expansion<> series(system);
+    series.start(state_of(in, p));
+    series.grow_to(12);
+    for (int k = 2; k <= 12; ++k)
+      for (int axis = 0; axis < in.dimension; ++axis) {
+        const Eigen::VectorXd x = series.position(k).col(axis);
+        // Coefficients are the forces times a number: of several each is rounded by itself.
+        if (participants == 2)
+          EXPECT_EQ(x(0), -x(1)) << "order " << k;
+        else
+          EXPECT_NEAR(x.sum(), 0, 2 * participants * x.cwiseAbs().sum() * 0x1p-53) << "order " << k;
+      }
+  });
+}
+
+TEST_P(ForceLaws, OfSeveralForcesSumUpToZeroInTheirOrder) {
+  if (law.external) GTEST_SKIP() << law.name << " acts from outside";
+  at_random_participants([&](const LawInDimension& in, const Moving& p, const Parameters& c) {
+    const System<> system = system_of(in, c, 1.0);  // 2 x_2 = F / m is then exact
+    Expansion<> series(system);
+    series.start(state_of(in, p));
+    series.grow();
+    for (int axis = 0; axis < in.dimension; ++axis) {
+      double sum = 0;
+      for (int i = 0; i < participants; ++i) sum += series.position(2)(i, axis);
+      EXPECT_EQ(sum, 0.0);
+    }
+  });
+}
+
+TEST_P(ForceLaws, AreNoStifferThanTheySay) {
+  at_random_participants([&](const LawInDimension& in, const Moving& still, const Parameters& random) {
+    const int d = in.dimension;
+    const RecordedLaw recorded = in.recorded(d);
+    if (recorded.stiffness == nullptr) return;
+    auto c = random;
+    const auto& names = recorded.parameters;
+    double squared = 0;  // of a normal, which must be of length 1
+    for (std::size_t j = 0; j < names.size(); ++j)
+      if (names[j].starts_with("normal_") && static_cast<int>(j) < 2 + d) squared += c[j] * c[j];
+    for (std::size_t j = 0; j < names.size(); ++j)
+      if (names[j].starts_with("normal_")) c[j] /= std::sqrt(squared);
+    const double k = recorded.stiffness(c.data());
+    for (int participant = 0; participant < participants; ++participant) {
+      Eigen::Matrix3d tangent = Eigen::Matrix3d::Zero();  // axes beyond the dimension: eigenvalue 0 < k
+      for (int axis = 0; axis < d; ++axis) {
+        auto moved = still;
+        moved.position[participant * d + axis][1] = 1.0;
+        const auto f = forces(in, moved, c);
+        for (int row = 0; row < d; ++row) tangent(row, axis) = -f[participant * d + row][1].value;
+      }
+      // Symmetric, as the second derivative of an energy; sums of a few products of numbers near k.
+      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(tangent);
+      EXPECT_LE(solver.eigenvalues().maxCoeff(), k * (1 + 64 * 0x1p-53)) << participant;
+    }
+  });
+}
+
+TEST_P(ForceLaws, SlowAParticleByTheirDamping) {
+  at_random_participants([&](const LawInDimension& in, const Moving& still, const Parameters& c) {
+    const RecordedLaw recorded = in.recorded(in.dimension);
+    if (recorded.damping == nullptr) return;
+    for (int axis = 0; axis < in.dimension; ++axis) {
+      auto moved = still;
+      moved.velocity[axis][1] = 1.0;
+      const auto f = forces(in, moved, c);
+      for (int row = 0; row < in.dimension; ++row)
+        EXPECT_EQ(f[row][1].value, row == axis ? -recorded.damping(c.data()) : 0.0);
+    }
+  });
+}
+
+TEST_P(ForceLaws, NamesItsParameters) {
+  for (const LawInDimension& in : law.in_dimensions) {
+    SCOPED_TRACE("dimension " + std::to_string(in.dimension));
+    const RecordedLaw recorded = in.recorded(in.dimension);
+    EXPECT_EQ(recorded.name, law.name);
+    EXPECT_EQ(recorded.participants, participants);
+    EXPECT_EQ(recorded.parameters.size(), law.parameters);
+    EXPECT_EQ(recorded.given, participants - (law.external ? 0 : 1));
+    EXPECT_EQ(recorded.force.outputs.size(), static_cast<std::size_t>(recorded.given * in.dimension));
+    EXPECT_EQ(recorded.energy.has_value(), law.has_energy);
+    for (const auto& name : recorded.parameters) EXPECT_FALSE(name.empty());
   }
-}
-
-TYPED_TEST(ForceLaws, IsTheSameOnNumbersAndOnJets) {  // but for the order in which Eigen sums components
-  TestFixture::at_random_participants(
-      []<int D>(std::integral_constant<int, D>, const auto& p, const auto& c) {
-        using Tracked = Jet<RunningError<double>, 3>;
-        const auto on_numbers = TestFixture::template forces<double, D>(p, c);
-        const auto on_jets =
-            TestFixture::template forces<Tracked, D>(TestFixture::template converted<Tracked, D>(p), c);
-        for (int i = 0; i < on_numbers.size(); ++i)
-          EXPECT_THAT(on_jets[i], HasCoefficients([&](int k) { return k == 0 ? on_numbers[i] : 0.0; }));
-      });
-}
-
-TYPED_TEST(ForceLaws, IsTheSameOnJetsAndOnATape) {
-  constexpr int degree = 8;
-  TestFixture::at_random_participants(
-      []<int D>(std::integral_constant<int, D>, const auto& p, const auto& c) {
-        using Tracked = Jet<RunningError<double>, degree>;
-        auto moving = TestFixture::template converted<Tracked, D>(p);  // along polynomials
-        Uniform draw(5);
-        for (int k = 1; k <= degree; ++k)
-          for (int i = 0; i < TypeParam::participants; ++i)
-            for (int axis = 0; axis < D; ++axis) {
-              moving.position[i][axis][k] = draw(-1, 1) * std::ldexp(0.5, -k);
-              moving.velocity[i][axis][k] = draw(-1, 1) * std::ldexp(0.5, -k);
-            }
-        moving.time[1] = 1.0;
-        const auto on_jets = TestFixture::template forces<Tracked, D>(moving, c);
-
-        std::vector<double> parameters(c.begin(), c.end());
-        parameters.insert(parameters.end(), p.mass.begin(), p.mass.end());
-        const Program program(record_law<TypeParam>(D).force);
-        Blocks<double> blocks(program, 1, parameters, scalar_kernels<double>());
-        blocks.reserve(degree + 1);
-        std::array<std::vector<RunningError<double>>, D * forces_given<TypeParam>> on_tape;
-        for (int k = 0; k <= degree; ++k) {
-          for (const auto& [place, input] : program.inputs) {
-            const auto position = [&](int i) { return moving.position[i][input.component][k].value; };
-            double& to = *blocks.at(0, place, k);
-            switch (input.kind) {
-              case Input::Kind::time: to = moving.time[k].value; break;
-              case Input::Kind::position: to = position(input.participant); break;
-              case Input::Kind::separation: to = position(input.participant) - position(input.minus); break;
-              case Input::Kind::velocity: to = moving.velocity[input.participant][input.component][k].value;
-            }
-          }
-          blocks.run(0, k);
-          for (std::size_t i = 0; i < on_tape.size(); ++i)
-            on_tape[i].push_back(program.is_static && k > 0 ? 0.0 : *blocks.at(0, program.outputs[i], k));
-        }
-        for (std::size_t i = 0; i < on_tape.size(); ++i)
-          EXPECT_THAT(on_jets[static_cast<int>(i)], IsCloseTo(on_tape[i])) << "component " << i;
-      });
-}
-
-TYPED_TEST(ForceLaws, PushesEqualParticlesSoThatTheSumIsZero) {  // to the last bit
-  if constexpr (is_external<TypeParam>()) {
-    GTEST_SKIP() << TypeParam::name << " acts from outside";
-  } else {
-    TestFixture::at_random_participants(
-        []<int D>(std::integral_constant<int, D>, const auto& p, const auto& c) {
-          constexpr int n = TypeParam::participants;
-          System<> system(D, std::vector<double>(n, p.mass[0]));
-          std::array<int, n> all;
-          for (int i = 0; i < n; ++i) all[i] = i;
-          system.add<TypeParam>({all}, {c});
-          State<> state{0.0, Coordinates<>(n, D), Coordinates<>(n, D)};
-          for (int i = 0; i < n; ++i) {
-            state.position.row(i) = p.position[i];
-            state.velocity.row(i) = p.velocity[i];
-          }
-          Expansion<> series(system);
-          series.start(state);
-          series.grow_to(12);
-          for (int k = 2; k <= 12; ++k)
-            for (int axis = 0; axis < D; ++axis) {
-              const auto x = series.position(k).col(axis);
-              // Coefficients are the forces times a number: of several each is rounded by itself.
-              if constexpr (n == 2)
-                EXPECT_EQ(x(0), -x(1)) << "order " << k;
-              else
-                EXPECT_NEAR(x.sum(), 0, 2 * n * x.cwiseAbs().sum() * 0x1p-53) << "order " << k;
-            }
-        });
-  }
-}
-
-TYPED_TEST(ForceLaws, OfSeveralForcesSumUpToZeroInTheirOrder) {
-  if constexpr (is_external<TypeParam>()) {
-    GTEST_SKIP() << TypeParam::name << " acts from outside";
-  } else {
-    TestFixture::at_random_participants(
-        []<int D>(std::integral_constant<int, D>, const auto& p, const auto& c) {
-          constexpr int n = TypeParam::participants;
-          System<> system(D, std::vector<double>(n, 1.0));  // 2 x_2 = F / m is then exact
-          std::array<int, n> all;
-          for (int i = 0; i < n; ++i) all[i] = i;
-          system.add<TypeParam>({all}, {c});
-          State<> state{0.0, Coordinates<>(n, D), Coordinates<>(n, D)};
-          for (int i = 0; i < n; ++i) {
-            state.position.row(i) = p.position[i];
-            state.velocity.row(i) = p.velocity[i];
-          }
-          Expansion<> series(system);
-          series.start(state);
-          series.grow();
-          for (int axis = 0; axis < D; ++axis) {
-            double sum = 0;
-            for (int i = 0; i < n; ++i) sum += series.position(2)(i, axis);
-            EXPECT_EQ(sum, 0.0);
-          }
-        });
-  }
-}
-
-TYPED_TEST(ForceLaws, AreNoStifferThanTheySay) {
-  TestFixture::at_random_participants(
-      []<int D>(std::integral_constant<int, D>, const auto& p, const auto& random) {
-        const RecordedLaw law = record_law<TypeParam>(D);
-        if (law.stiffness == nullptr) return;
-        auto c = random;
-        double squared = 0;  // of a normal, which must be of length 1
-        for (std::size_t j = 0; j < law.parameters.size(); ++j)
-          if (law.parameters[j].starts_with("normal_") && j < 2 + D) squared += c[j] * c[j];
-        for (std::size_t j = 0; j < law.parameters.size(); ++j)
-          if (law.parameters[j].starts_with("normal_")) c[j] /= std::sqrt(squared);
-        using J = Jet<double, 1>;
-        const double k = law.stiffness(c.data());
-        for (int participant = 0; participant < TypeParam::participants; ++participant) {
-          Eigen::MatrixXd tangent(D, D);
-          for (int axis = 0; axis < D; ++axis) {
-            auto moved = TestFixture::template converted<J, D>(p);
-            moved.position[participant][axis][1] = 1.0;
-            const auto f = TestFixture::template forces<J, D>(moved, c);
-            for (int row = 0; row < D; ++row) tangent(row, axis) = -f[participant * D + row][1];
-          }
-          // Symmetric, as the second derivative of an energy; sums of a few products of numbers near k.
-          const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(tangent);
-          EXPECT_LE(solver.eigenvalues().maxCoeff(), k * (1 + 64 * 0x1p-53)) << participant;
-        }
-      });
-}
-
-TYPED_TEST(ForceLaws, SlowAParticleByTheirDamping) {
-  TestFixture::at_random_participants(
-      []<int D>(std::integral_constant<int, D>, const auto& p, const auto& c) {
-        const RecordedLaw law = record_law<TypeParam>(D);
-        if (law.damping == nullptr) return;
-        using J = Jet<double, 1>;
-        for (int axis = 0; axis < D; ++axis) {
-          auto moved = TestFixture::template converted<J, D>(p);
-          moved.velocity[0][axis][1] = 1.0;
-          const auto f = TestFixture::template forces<J, D>(moved, c);
-          for (int row = 0; row < D; ++row) EXPECT_EQ(f[row][1], row == axis ? -law.damping(c.data()) : 0.0);
-        }
-      });
-}
-
-TYPED_TEST(ForceLaws, NamesItsParameters) {
-  const int dimension = is_defined_in<TypeParam>(2) ? 2 : 3;
-  const RecordedLaw law = record_law<TypeParam>(dimension);
-  EXPECT_EQ(law.name, TypeParam::name);
-  EXPECT_EQ(law.participants, TypeParam::participants);
-  EXPECT_EQ(law.parameters.size(), TypeParam::parameters.size());
-  EXPECT_EQ(law.given, TypeParam::participants - (is_external<TypeParam>() ? 0 : 1));
-  EXPECT_EQ(law.force.outputs.size(), static_cast<std::size_t>(law.given * dimension));
-  EXPECT_EQ(law.energy.has_value(), TestFixture::has_energy);
-  for (const auto& name : law.parameters) EXPECT_FALSE(name.empty());
 }
 
 TEST(ForceLaw, IsRefusedInADimensionInWhichItIsNotDefined) {
@@ -374,4 +322,4 @@ TEST(ForceLaw, StatesWhichStiffnessAndDampingItHas) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::force_laws_test
