@@ -7,6 +7,7 @@
 
 #include <boost/math/differentiation/autodiff.hpp>
 #include <boost/math/special_functions/factorials.hpp>
+#include <functional>
 
 #include "jetlag/series/elementary.hpp"
 #include "support/close.hpp"
@@ -14,19 +15,25 @@
 
 namespace jetlag::testing {
 
+constexpr int autodiff_degree = 8;
+using JetOfAutodiff = Jet<RunningError<double>, autodiff_degree>;
+using BoostsNumber =
+    decltype(boost::math::differentiation::make_fvar<Digits50, autodiff_degree>(Digits50(0)));
+
+/// A function of a jet, and the same as Boost has it. Without their types: what compares them is compiled once.
+using OfJet = std::function<JetOfAutodiff(const JetOfAutodiff&)>;
+using OfBoost = std::function<BoostsNumber(const BoostsNumber&)>;
+
 /// f at x + t: the jet against derivatives over factorials. g is f as Boost has it.
-template <class F, class G>
-void expect_same_derivatives(F f, G g, double x) {
-  constexpr int degree = 8;
-  using J = Jet<RunningError<double>, degree>;
-  const auto truth = g(boost::math::differentiation::make_fvar<Digits50, degree>(Digits50(x)));
-  EXPECT_THAT(f(J::variable(x)), HasCoefficients([&](int k) {
+inline void expect_same_derivatives(const OfJet& f, const OfBoost& g, double x) {
+  const auto truth = g(boost::math::differentiation::make_fvar<Digits50, autodiff_degree>(Digits50(x)));
+  EXPECT_THAT(f(JetOfAutodiff::variable(x)), HasCoefficients([&](int k) {
                 return Digits50(truth.derivative(k) / boost::math::factorial<Digits50>(k));
               }))
       << "at " << x;
 }
 template <class F>
-void expect_same_derivatives(F f, double x) {
+void expect_same_derivatives(const F& f, double x) {
   expect_same_derivatives(f, f, x);
 }
 

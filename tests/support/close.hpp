@@ -13,6 +13,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <string>
 #include <type_traits>
@@ -154,10 +155,12 @@ auto IsCloseTo(const E& expected, Tolerance tolerance = {}) {
   return detail::CloseMatcher<E, Tolerance>(expected, tolerance);
 }
 
-/// Coefficient k is expected(k).
+/// Coefficient k is expected(k). The matcher knows only the type of a coefficient: one for each lambda, with all that
+/// GoogleMock makes of it, would be most of what a file of such tests costs to compile.
 template <std::invocable<int> F, class Tolerance = CarriedError>
 auto HasCoefficients(F expected, Tolerance tolerance = {}) {
-  return detail::CloseMatcher<F, Tolerance>(std::move(expected), tolerance);
+  using Coefficient = std::decay_t<std::invoke_result_t<const F&, int>>;
+  return detail::CloseMatcher<std::function<Coefficient(int)>, Tolerance>(std::move(expected), tolerance);
 }
 
 }  // namespace jetlag::testing

@@ -13,17 +13,17 @@ namespace jetlag::testing {
 namespace {
 
 /// f of a jet is g of Boost, with three inner functions, at points from which all three stay within the range of f.
-template <class F, class G>
-void expect_same(F f, G g, std::initializer_list<double> points) {
+void expect_same(const OfJet& f, const OfBoost& g, std::initializer_list<double> points) {
   for (const double x : points) {
     expect_same_derivatives(f, g, x);
-    expect_same_derivatives([&](auto u) { return f(2.0 * u); }, [&](auto u) { return g(2.0 * u); }, x);
-    expect_same_derivatives([&](auto u) { return f(u * u + 0.25 * u); },
-                            [&](auto u) { return g(u * u + 0.25 * u); }, x);
+    expect_same_derivatives([&](const auto& u) { return f(2.0 * u); },
+                            [&](const auto& u) { return g(2.0 * u); }, x);
+    expect_same_derivatives([&](const auto& u) { return f(u * u + 0.25 * u); },
+                            [&](const auto& u) { return g(u * u + 0.25 * u); }, x);
   }
 }
 template <class F>
-void expect_same(F f, std::initializer_list<double> points) {
+void expect_same(const F& f, std::initializer_list<double> points) {
   expect_same(f, f, points);
 }
 
