@@ -3,13 +3,14 @@
 
 #include <gmock/gmock.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <complex>
 #include <unsupported/Eigen/KroneckerProduct>
 
 #include "jetlag/truncation/stability.hpp"
+#include "support/eigenvalues.hpp"
 
 namespace jetlag::testing {
 namespace {
@@ -43,8 +44,6 @@ Eigen::Matrix<T, 4, 4> second_moment(int m, int n, T p, VelocitySeries velocity,
   }
   return moment;
 }
-
-double spectral_radius(const Eigen::Matrix4d& m) { return m.eigenvalues().cwiseAbs().maxCoeff(); }
 
 TEST(OscillatorGrowth, OfTheEnergyIsThePublishedOneForBothVelocities) {
   const auto energy = [](VelocitySeries velocity) {

@@ -2,11 +2,12 @@
 #pragma once
 // Chains for the asynchronous variational integrator, and the map of one period of their clocks.
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <cmath>
 #include <cstddef>
 
 #include "jetlag/schedule/avi.hpp"
+#include "support/eigenvalues.hpp"
 #include "support/problems.hpp"
 
 namespace jetlag::testing {
@@ -32,7 +33,7 @@ double spectral_radius(const Problem& chain, const Make& make, double period) {
     map.col(column) << (state.position - chain.start.position).middleRows(1, n),
         state.velocity.middleRows(1, n);
   }
-  return (map / size).eigenvalues().cwiseAbs().maxCoeff();
+  return spectral_radius(map / size);
 }
 
 /// The step between `stable` and `unstable` where radius(step) leaves 1. It does so as the root of the distance, by some

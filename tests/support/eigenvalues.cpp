@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#include "support/eigenvalues.hpp"
+
+#include <Eigen/Eigenvalues>
+
+namespace jetlag::testing {
+
+double spectral_radius(const Eigen::MatrixXd& matrix) { return matrix.eigenvalues().cwiseAbs().maxCoeff(); }
+
+double largest_eigenvalue(const Eigen::MatrixXd& symmetric) {
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric, Eigen::EigenvaluesOnly)
+      .eigenvalues()
+      .maxCoeff();
+}
+
+}  // namespace jetlag::testing
