@@ -38,11 +38,16 @@ void expect_right(const J& actual, const J& expected, int known) {
     EXPECT_NEAR(actual[k], expected[k], 256 * 0x1p-52) << "coefficient " << k;
   }
 }
-template <class A, class B>
-void expect_near_matrix(const A& actual, const B& expected) {
+// Checks are compiled once for all sizes: fixed ones, unrolled and inlined, cost the compiler as much as what they check.
+void expect_near_matrix(const Any& actual, const Any& expected) {
   for (Eigen::Index i = 0; i < actual.rows(); ++i)
     for (Eigen::Index j = 0; j < actual.cols(); ++j) expect_near(actual(i, j), expected(i, j));
 }
+Any product(const Any& a, const Any& b) { return a.lazyProduct(b); }
+Any product(const Any& a, const Any& b, const Any& c) { return product(product(a, b), c); }
+Any transposed(const Any& a) { return a.transpose(); }
+Any diagonal(const Eigen::Matrix<J, Eigen::Dynamic, 1>& x) { return x.asDiagonal(); }
+Any identity(Eigen::Index n) { return Any::Identity(n, n); }
 
 Matrix3 positive() {
   Matrix3 a;
@@ -112,8 +117,8 @@ TEST(JetRotations, AreTheirOwnOrthogonalFactor) {  // R is a diagonal of signs: 
   Matrix2 turn;
   turn << cos(t), -sin(t), sin(t), cos(t);
   const auto expect_factors = [&](const Matrix2& q, const Matrix2& r) {
-    expect_near_matrix(Matrix2(q * r), turn);
-    expect_near_matrix(Matrix2(q.transpose() * q), Matrix2::Identity());
+    expect_near_matrix(product(q, r), turn);
+    expect_near_matrix(product(transposed(q), q), identity(2));
     for (Eigen::Index i = 0; i < 2; ++i) {
       expect_near(abs(r(i, i)), J(1.0));
       expect_near(abs(q(i, i)), cos(t));
@@ -134,8 +139,8 @@ TEST(JetRotations, HaveAnAngleAndAnAxis) {
   expect_right(from_rest.axis()[2], J(1.0), 3);
   const Vector3 axis = Vector3(1.0 + t, t, 2.0 - t).normalized();
   const Matrix3 r = AngleAxis(0.3 + t, axis).toRotationMatrix();
-  expect_near_matrix(Matrix3(r * r.transpose()), Matrix3::Identity());
-  expect_near_matrix(Matrix3(Quaternion(r).toRotationMatrix()), r);
+  expect_near_matrix(product(r, transposed(r)), identity(3));
+  expect_near_matrix(Quaternion(r).toRotationMatrix(), r);
   expect_near(AngleAxis(r).angle(), 0.3 + t);
   expect_near((Eigen::Rotation2D<J>(t) * Eigen::Rotation2D<J>(1.0 + t)).angle(), 1.0 + 2.0 * t);
 }
@@ -144,7 +149,7 @@ TEST(JetRotations, AreFoundInTransforms) {
   Eigen::Transform<J, 3, Eigen::Affine> a;
   a = Eigen::Translation<J, 3>(t, 1.0 + t, t * t) * AngleAxis(0.3 + t, z_axis) *
       Eigen::UniformScaling<J>(2.0 + t);
-  expect_near_matrix((a.inverse() * a).matrix(), Eigen::Matrix<J, 4, 4>::Identity());
+  expect_near_matrix((a.inverse() * a).matrix(), identity(4));
   expect_near_matrix(Matrix3(a.rotation()), AngleAxis(0.3 + t, z_axis).toRotationMatrix());  // by JacobiSVD
 }
 
@@ -174,9 +179,9 @@ TEST(JetSpectra, AreThoseOfTheMatrix) {
   const Matrix3 b = positive();
   const Eigen::SelfAdjointEigenSolver<Matrix3> of_b(b);
   const Matrix3 v = of_b.eigenvectors();
-  expect_near_matrix(Matrix3(v * of_b.eigenvalues().asDiagonal() * v.transpose()), b);
-  expect_near_matrix(Matrix3(v.transpose() * v), Matrix3::Identity());
-  expect_near_matrix(Matrix3(of_b.operatorSqrt() * of_b.operatorSqrt()), b);
+  expect_near_matrix(product(v, diagonal(of_b.eigenvalues()), transposed(v)), b);
+  expect_near_matrix(product(transposed(v), v), identity(3));
+  expect_near_matrix(product(of_b.operatorSqrt(), of_b.operatorSqrt()), b);
 }
 
 TEST(JetSpectra, OfDiagonalMatricesAreTheirEntriesInOrder) {  // they cross at 0; -t is below t soon after
@@ -199,11 +204,9 @@ TEST(JetSpectra, OfRectanglesGiveTheirProducts) {
     const Eigen::JacobiSVD<Any> svd(a, Eigen::ComputeFullU | Eigen::ComputeFullV);
     Any s = Any::Zero(a.rows(), a.cols());
     s.diagonal() = svd.singularValues();
-    expect_near_matrix(Any(svd.matrixU() * s * svd.matrixV().transpose()), a);
-    expect_near_matrix(Any(svd.matrixU().transpose() * svd.matrixU()),
-                       Any(Any::Identity(a.rows(), a.rows())));
-    expect_near_matrix(Any(svd.matrixV().transpose() * svd.matrixV()),
-                       Any(Any::Identity(a.cols(), a.cols())));
+    expect_near_matrix(product(svd.matrixU(), s, transposed(svd.matrixV())), a);
+    expect_near_matrix(product(transposed(svd.matrixU()), svd.matrixU()), identity(a.rows()));
+    expect_near_matrix(product(transposed(svd.matrixV()), svd.matrixV()), identity(a.cols()));
     EXPECT_EQ(svd.rank(), std::min(a.rows(), a.cols()));
   }
 }
@@ -214,17 +217,17 @@ TEST(JetSpectra, OfPairsSolveTheirEquation) {
   b << 2.0, t, 0.0, t, 2.0, 0.5, 0.0, 0.5, 1.0 + t;
   const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix3> pair(a, b);
   const Matrix3 v = pair.eigenvectors();
-  expect_near_matrix(Matrix3(a * v), Matrix3(b * v * pair.eigenvalues().asDiagonal()));
+  expect_near_matrix(product(a, v), product(b, v, diagonal(pair.eigenvalues())));
 }
 
 TEST(JetSpectra, StartWithReflections) {
   const Any a = positive();
   const Eigen::Tridiagonalization<Any> tridiagonal(a);
   const Any q = tridiagonal.matrixQ(), band = tridiagonal.matrixT();
-  expect_near_matrix(Any(q * band * q.transpose()), a);
+  expect_near_matrix(product(q, band, transposed(q)), a);
   const Eigen::HessenbergDecomposition<Any> hessenberg(a);
   const Any p = hessenberg.matrixQ(), h = hessenberg.matrixH();
-  expect_near_matrix(Any(p * h * p.transpose()), a);
+  expect_near_matrix(product(p, h, transposed(p)), a);
 }
 
 // ---- what is refused -------------------------------------------------------------------------------------
