@@ -55,6 +55,9 @@ class EigenSolvers : public ::testing::Test {
       return J::variable(0.0);
   }
 
+  /// By a pointer: what checks is compiled once for all solvers.
+  using Solve = Vector (*)(const Matrix& a, const Vector& b);
+
   struct System {
     std::string name;
     Matrix a;
@@ -114,8 +117,7 @@ class EigenSolvers : public ::testing::Test {
 
   /// solve(a, b) is right in every finite coefficient; all are, where A_0 is regular. The condition numbers of A_0, below
   /// 10, come in once for each order: 10^5 eps of the solution.
-  template <class F>
-  static void expect_right(const char* name, F solve, bool needs_positive = false) {
+  static void expect_right(const char* name, Solve solve, bool needs_positive = false) {
     for (const System& s : systems()) {
       if (needs_positive && !s.is_positive) continue;
       SCOPED_TRACE(std::string(name) + " of " + s.name);
