@@ -70,6 +70,36 @@ std::pair<Recorded, Recorded> Recording::coupled(int rule_a, int rule_b, int u, 
   return {Recorded(this, a), Recorded(this, b)};
 }
 
+std::optional<Recording::Choice> Recording::choice_beside_constant(const Recorded& x) {
+  if (is_static(x) || tape_.nodes[x.node()].kind != Node::Kind::operation) return {};
+  const Node node = tape_.nodes[x.node()];  // a copy: the tape grows below
+  const auto operand = [&](int i) { return Recorded(this, node.operands[i]); };
+  const auto each = [&](int i, auto f) {  // f of both values of the choice that operand i is
+    auto of = choice_beside_constant(operand(i));
+    if (of) *of = {of->rule, of->by, f(of->first), f(of->second)};
+    return of;
+  };
+  if (node.rule == rule_id<Negate>) return each(0, [](const Recorded& u) { return -u; });
+  if (node.rule == rule_id<Scale>) return each(1, [&](const Recorded& u) { return operand(0) * u; });
+  if (node.rule == rule_id<DivideByConstant>)
+    return each(0, [&](const Recorded& u) { return u / operand(1); });
+  if (node.rule != rule_id<Select> && node.rule != rule_id<BySign>) return {};
+  const auto number = [&](int i) {  // rather than its series
+    int value = node.operands[i];
+    if (tape_.nodes[value].rule == rule_id<Embed>) value = tape_.nodes[value].operands[0];
+    const Node& of = tape_.nodes[value];
+    return of.kind == Node::Kind::constant ? Recorded(of.value) : Recorded(this, value);
+  };
+  const Choice choice{node.rule, operand(0), number(1), number(2)};
+  if (!is_static(choice.first) && !is_static(choice.second)) return {};
+  return choice;
+}
+
+Recorded Recording::choose(const Choice& as, const Recorded& first, const Recorded& second) {
+  if (as.rule == rule_id<Select>) return detail::record<Select>(as.by, first, second);
+  return detail::record<BySign>(as.by, first, second);
+}
+
 Tape Recording::finish(const std::vector<Recorded>& outputs) {
   tape_.outputs.clear();
   for (const Recorded& output : outputs) tape_.outputs.push_back(node_of(output));

@@ -88,6 +88,20 @@ TEST_F(Record, TurnsOperationsWithNumbersIntoCheapOnes) {
   EXPECT_THAT(names_of_operations(recording_.finish({y_ / x_})), ElementsAre("divide"));
 }
 
+TEST_F(Record, DrawsRootsOfTheValuesOfAChoiceBesideANumber) {  // 0 then has the root 0 at all orders
+  const auto same = [&](const Recorded& root, const Recorded& choice) {
+    EXPECT_EQ(root.node(), choice.node());
+  };
+  same(sqrt(select(x_ < y_, x_, Recorded(4.0))), select(x_ < y_, sqrt(x_), Recorded(2.0)));
+  same(cbrt(max(x_, a_)),
+       jetlag::detail::record<BySign>(jetlag::detail::record<Sign>(x_ - a_), cbrt(a_), cbrt(x_)));
+  same(pow(-b_ * max(y_, 0.0) / a_, 1.5),
+       jetlag::detail::record<BySign>(jetlag::detail::record<Sign>(y_), pow(-b_ * Recorded(0.0) / a_, 1.5),
+                                      pow(-b_ * y_ / a_, 1.5)));
+  EXPECT_THAT(names_of_operations(recording_.finish({sqrt(max(x_, y_))})),
+              ElementsAre("subtract", "sign", "by sign", "sqrt"));  // both move
+}
+
 TEST_F(Record, LeavesOutOperationsThatChangeNothing) {
   for (const Recorded& same : {x_ + 0.0, 0.0 + x_, x_ - 0.0, 1.0 * x_, x_ * 1.0, x_ / 1.0, +x_, pow(x_, 1)})
     EXPECT_EQ(same.node(), x_.node());

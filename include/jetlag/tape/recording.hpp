@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <tuple>
@@ -69,6 +70,15 @@ class Recording {
   /// Whether x has no series. Throws std::invalid_argument for a value of another recording.
   bool is_static(const Recorded& x) const;
 
+  /// x as a choice between two values of which one has no series, as 2 max(d, 0) is; nothing if x is none.
+  struct Choice {
+    int rule;  // Select or BySign
+    Recorded by, first, second;
+  };
+  std::optional<Choice> choice_beside_constant(const Recorded& x);
+  /// The same choice between two other values.
+  Recorded choose(const Choice& as, const Recorded& first, const Recorded& second);
+
   /// A new operation, or the one recorded before with the same rule and operands.
   Recorded operation(int rule, std::vector<int> operands, bool is_static);
 
@@ -103,10 +113,32 @@ double on_numbers(const U&... u) {
   return R::coefficient(0, ConstantSeries<double>{u.value()}..., ConstantSeries<double>{0.0});
 }
 
+/// Functions that are 0 at 0 and have no series there.
+template <Rule R>
+constexpr bool is_root = std::same_as<R, Sqrt> || std::same_as<R, Cbrt> || std::same_as<R, Power>;
+
+template <Rule R, class... U>
+Recorded record(const U&... u);
+
+/// A root of a choice is the choice of the roots. Where a number was chosen, as in pow(max(d, 0), 1.5), its root is a number
+/// too, and no series is missing: one rule alone does not see that all coefficients to come are zero.
+template <Rule R>
+Recorded root_of_choice(Recording& recording, const Recording::Choice& of, const Recorded&) {
+  return recording.choose(of, record<R>(of.first), record<R>(of.second));
+}
+template <Rule R>
+Recorded root_of_choice(Recording& recording, const Recording::Choice& of, const Recorded& exponent,
+                        const Recorded&) {
+  return recording.choose(of, record<R>(exponent, of.first), record<R>(exponent, of.second));
+}
+
 template <Rule R, class... U>
 Recorded record(const U&... u) {
   Recording* recording = recording_of(u...);
   if (!recording) return on_numbers<R>(u...);
+  if constexpr (is_root<R>)
+    if (const auto of = recording->choice_beside_constant(std::get<sizeof...(U) - 1>(std::tie(u...))))
+      return root_of_choice<R>(*recording, *of, u...);
   const bool all_static = (recording->is_static(u) && ...);
   std::vector<int> operands;
   int i = 0;
