@@ -243,8 +243,8 @@ bool Ensemble::check_ends(std::size_t block, double until, Workspace& work) {
 /// Trajectories that are to move and for which a choice may change in their step take it by themselves.
 void Ensemble::find_choices(std::size_t block, double until, Workspace& work) {
   const int lanes = table_->lanes;
-  for (const auto& [place, at_zero] : system_->program.conditions) {
-    const double* c = work.blocks.at(0, place, 0);
+  for (const auto& condition : system_->program.conditions) {
+    const double* c = work.blocks.at(0, condition.place, 0);
     for (int lane = 0; lane < lanes; ++lane) {
       if (!work.moves[lane] || detail::outweighs_rest(c + lane, lanes, 1, degree_ - 1, work.step[lane]))
         continue;

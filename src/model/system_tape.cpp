@@ -27,10 +27,11 @@ std::optional<Recorded> scaled_power(Recording& recording, const std::vector<Nod
   return recording.operation(rule_id<Power>, {recording.node_of(exponent), scaled.node()}, false);
 }
 
-/// A value whose sign decides, and the sign that a zero is taken for: see Condition.
+/// A value whose sign decides, the sign that a zero is taken for, and of a root its argument: see Condition.
 struct Decision {
   Recorded value;
   int at_zero;
+  std::optional<Recorded> argument;
 };
 
 /// The forces that the law of one element gives, recorded: component by component. Its conditions join the `decisions`.
@@ -85,9 +86,10 @@ std::vector<Recorded> record_element(Recording& recording, const RecordedLaw& la
       }
     }
   }
-  for (const auto& [node, at_zero] : law.force.conditions)
+  for (const auto& [node, at_zero, argument] : law.force.conditions)
     if (!value[node].is_number() && !recording.is_static(value[node]))
-      decisions.push_back({value[node], at_zero});
+      decisions.push_back(
+          {value[node], at_zero, argument < 0 ? std::nullopt : std::optional(value[argument])});
   std::vector<Recorded> force;
   for (int output : law.force.outputs) force.push_back(value[output]);
   return force;
@@ -133,10 +135,16 @@ Tape system_tape(const Model<double>& model) {
     outputs.push_back(of.plus.empty() && !of.minus.empty() ? -sum(of.minus) : sum(of.plus) - sum(of.minus));
   // The decisions are computed like outputs, and then are none.
   const std::size_t forces = outputs.size();
-  for (const Decision& decision : decisions) outputs.push_back(decision.value);
+  for (const Decision& decision : decisions) {
+    outputs.push_back(decision.value);
+    if (decision.argument) outputs.push_back(*decision.argument);
+  }
   Tape tape = recording.finish(outputs);
-  for (std::size_t i = 0; i < decisions.size(); ++i)
-    tape.conditions.push_back({tape.outputs[forces + i], decisions[i].at_zero});
+  std::size_t next = forces;
+  for (const Decision& decision : decisions) {
+    const int node = tape.outputs[next++];
+    tape.conditions.push_back({node, decision.at_zero, decision.argument ? tape.outputs[next++] : -1});
+  }
   tape.outputs.resize(forces);
   return tape;
 }

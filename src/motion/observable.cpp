@@ -127,9 +127,13 @@ std::vector<double> ObservableSeries::expand(const Course& course) {
 /// The time from the beginning of the last expansion to the first change of a choice in g; h if there is none.
 double ObservableSeries::first_change(double h) {
   std::vector<double> c(orders_);
-  for (const auto& [place, at_zero] : blocks_.program().conditions) {
+  const auto look = [&](Place place, int at_zero) {
     for (int k = 0; k < orders_; ++k) c[k] = *blocks_.at(0, place, k);
     if (const auto s = jetlag::first_change<double>(c, at_zero, h)) h = *s;
+  };
+  for (const auto& [place, at_zero, argument] : blocks_.program().conditions) {
+    if (argument) look(*argument, 0);
+    look(place, at_zero);
   }
   return h;
 }

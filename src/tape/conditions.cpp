@@ -36,16 +36,32 @@ bool is_pole(const Tape& tape, const Node& node) {
          tape.nodes[node.operands[0]].value < -0.5;
 }
 
+/// Whether a node is a sum of squares, which touches zero and does not cross it.
+bool is_of_squares(const Tape& tape, int i) {
+  const Node& node = tape.nodes[i];
+  static const std::array squares{rule_id<Square>, rule_id<SquaredNorm<2>>, rule_id<SquaredNorm<3>>,
+                                  rule_id<ScaledSquare>, rule_id<ScaledSumOfSquares>};
+  if (std::ranges::find(squares, node.rule) != squares.end()) return true;
+  return node.rule == rule_id<Add> &&
+         std::ranges::all_of(node.operands, [&](int u) { return is_of_squares(tape, u); });
+}
+
+/// What a root is drawn of, where that may cross zero; -1 where it does not.
+int argument_of(const Tape& tape, const Node& root) {
+  const int argument = root.operands.back();
+  return root.rule == rule_id<RootOfScaled> || is_of_squares(tape, argument) ? -1 : argument;
+}
+
 }  // namespace
 
 Tape with_conditions(Tape tape) {
   const int given = static_cast<int>(tape.nodes.size());
-  const auto add = [&](int node, int at_zero) {
+  const auto add = [&](int node, int at_zero, int argument = -1) {
     const auto known = std::ranges::find_if(tape.conditions, [&](const Condition& condition) {
       return condition.node == node && condition.at_zero == at_zero;
     });
     if (known == tape.conditions.end() && !tape.nodes[node].is_static)
-      tape.conditions.push_back({node, at_zero});
+      tape.conditions.push_back({node, at_zero, argument});
   };
   static const std::array roots{rule_id<Sqrt>, rule_id<RootOfScaled>, rule_id<Power>};
   for (int i = 0; i < given; ++i) {
@@ -60,7 +76,7 @@ Tape with_conditions(Tape tape) {
     } else if (node.rule == rule_id<Sign>) {
       add(node.operands[0], 0);
     } else if (std::ranges::find(roots, node.rule) != roots.end() && !is_pole(tape, node)) {
-      add(i, 0);
+      add(i, 0, argument_of(tape, node));
     }
   }
   return tape;

@@ -32,7 +32,9 @@ Program::Program(const Tape& tape) : parameters(tape.parameters), is_static(tape
     }
   }
   for (int output : tape.outputs) outputs.push_back(places[output]);
-  for (const auto& [node, at_zero] : tape.conditions) conditions.push_back({places[node], at_zero});
+  for (const auto& [node, at_zero, argument] : tape.conditions)
+    conditions.push_back(
+        {places[node], at_zero, argument < 0 ? std::nullopt : std::optional(places[argument])});
 }
 
 }  // namespace jetlag

@@ -25,6 +25,15 @@ const RuleFacts& facts(int rule) {
   return table.at(rule);
 }
 
+std::vector<int> watched(const std::vector<Condition>& conditions) {
+  std::vector<int> nodes;
+  for (const Condition& condition : conditions) {
+    nodes.push_back(condition.node);
+    if (condition.argument >= 0) nodes.push_back(condition.argument);
+  }
+  return nodes;
+}
+
 }  // namespace
 
 std::vector<bool> Tape::keeps_history() const {
@@ -37,7 +46,7 @@ std::vector<bool> Tape::keeps_history() const {
       if (reads[a] == Reads::history || reads[a] == Reads::first) keeps[node.operands[a]] = true;
     if (reads.back() == Reads::history) keeps[i] = true;
   }
-  for (const Condition& condition : conditions) keeps[condition.node] = true;
+  for (const int node : watched(conditions)) keeps[node] = true;
   const auto ends = ends_at_order_0();
   for (std::size_t i = 0; i < nodes.size(); ++i)
     if (nodes[i].is_static || ends[i]) keeps[i] = false;
@@ -48,7 +57,7 @@ std::vector<bool> Tape::ends_at_order_0() const {
   // From the outputs backwards: a node ends at order 0 when each of its readers reads coefficient 0, or ends itself.
   std::vector<bool> goes_on(nodes.size(), false);
   for (int output : outputs) goes_on[output] = true;
-  for (const Condition& condition : conditions) goes_on[condition.node] = true;
+  for (const int node : watched(conditions)) goes_on[node] = true;
   for (bool changed = true; changed;) {  // more than once only for coupled rules, which read forwards
     changed = false;
     for (std::size_t i = nodes.size(); i-- > 0;) {
@@ -108,7 +117,7 @@ std::string Tape::to_string() const {
 Tape pruned(const Tape& tape) {
   std::vector<bool> needed(tape.nodes.size(), false);
   std::vector<int> open = tape.outputs;
-  for (const Condition& condition : tape.conditions) open.push_back(condition.node);
+  for (const int node : watched(tape.conditions)) open.push_back(node);
   while (!open.empty()) {
     const int i = open.back();
     open.pop_back();
@@ -127,7 +136,8 @@ Tape pruned(const Tape& tape) {
   for (Node& node : kept.nodes)
     for (int& operand : node.operands) operand = renamed[operand];
   for (int output : tape.outputs) kept.outputs.push_back(renamed[output]);
-  for (const auto& [node, at_zero] : tape.conditions) kept.conditions.push_back({renamed[node], at_zero});
+  for (const auto& [node, at_zero, argument] : tape.conditions)
+    kept.conditions.push_back({renamed[node], at_zero, argument < 0 ? -1 : renamed[argument]});
   return kept;
 }
 

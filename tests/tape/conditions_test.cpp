@@ -30,7 +30,7 @@ class Conditions : public ::testing::Test {
     for (const auto& [place, input] : program.inputs) *blocks.at(0, place, 0) = input.component == 0 ? 5 : 3;
     blocks.run(0, 0);
     std::vector<std::pair<double, int>> all;
-    for (const auto& [place, at_zero] : program.conditions) {
+    for (const auto& [place, at_zero, argument] : program.conditions) {
       EXPECT_EQ(place.space, Place::Space::history);
       all.emplace_back(*blocks.at(0, place, 0), at_zero);
     }
@@ -53,6 +53,19 @@ TEST_F(Conditions, OfSignsAndRootsAreTheirOwn) {
   EXPECT_THAT(of(max(x_, y_)), ElementsAre(Pair(2, 0)));
   EXPECT_THAT(of(sqrt(x_ + 4.0)), ElementsAre(Pair(3, 0)));
   EXPECT_THAT(of(pow(x_ + 4.0, 1.5)), ElementsAre(Pair(27, 0)));
+}
+
+TEST_F(Conditions, OfRootsKnowWhatIsDrawnWhereItMayCrossZero) {
+  const auto argument_of = [&](const Recorded& root) {
+    const Tape tape = with_conditions(recording_.finish({root}));
+    return std::pair(tape.conditions.at(0).argument, tape.nodes[tape.conditions[0].node].operands.back());
+  };
+  for (const Recorded& root : {sqrt(x_ + 4.0), pow(x_ * y_, 1.5)}) {
+    const auto [argument, operand] = argument_of(root);
+    EXPECT_EQ(argument, operand);
+  }
+  for (const Recorded& root : {sqrt(x_ * x_ + y_ * y_), sqrt(x_ * x_), hypot(x_, y_)})
+    EXPECT_EQ(argument_of(root).first, -1);
 }
 
 TEST_F(Conditions, AreNoneWhereNothingIsDecided) {

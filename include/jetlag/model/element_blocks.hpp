@@ -103,6 +103,9 @@ class ElementBlocks {
   T sum(const MotionRows<T>& motion);
 
  private:
+  /// The change of one condition in one lane of block b.
+  void find_change_of(std::size_t b, std::size_t lane, const Program::Watched& condition, int orders,
+                      bool of_known, T& most, std::optional<T>& first);
   explicit ElementBlocks(const ElementBlocks* all);
 
   /// The positions, velocities or separations of one participant; components that no rule reads go to waste.
@@ -301,31 +304,40 @@ inline void ElementBlocks<T>::collect(int particle, int k, int orders, T* force,
 /// thousand of them.
 template <class T>
 void ElementBlocks<T>::find_change(int orders, T& most, std::optional<T>& first, bool of_known) {
-  using std::isfinite;
-  std::vector<T> c(orders);
   for (std::size_t b = 0; b < blocks_.blocks(); ++b)
-    for (const auto& [place, at_zero] : blocks_.program().conditions) {
-      const T* series = blocks_.at(b, place, 0);
-      const std::size_t next_order = orders > 1 ? blocks_.at(b, place, 1) - series : 0,
+    for (const auto& condition : blocks_.program().conditions) {
+      const T* series = blocks_.at(b, condition.place, 0);
+      const std::size_t next_order = orders > 1 ? blocks_.at(b, condition.place, 1) - series : 0,
                         active = blocks_.active(b);
       if (detail::outweighs_rest(series, next_order, active, orders - 1, most)) continue;
       for (std::size_t lane = 0; lane < active; ++lane) {
         if (detail::outweighs_rest(series + lane, next_order, 1, orders - 1, most)) continue;
-        for (int k = 0; k < orders; ++k) c[k] = series[k * next_order + lane];
-        std::span<const T> known = c;
-        if (of_known)
-          known =
-              known.first(std::ranges::find_if_not(c, [](const T& x) { return isfinite(x); }) - c.begin());
-        find_first_change<T>(known, at_zero, most, first);
+        find_change_of(b, lane, condition, orders, of_known, most, first);
       }
     }
+}
+
+template <class T>
+void ElementBlocks<T>::find_change_of(std::size_t b, std::size_t lane, const Program::Watched& condition,
+                                      int orders, bool of_known, T& most, std::optional<T>& first) {
+  using std::isfinite;
+  const auto series = [&](Place place) {
+    std::vector<T> c(orders);
+    for (int k = 0; k < orders; ++k) c[k] = blocks_.at(b, place, k)[lane];
+    if (of_known) c.erase(std::ranges::find_if_not(c, [](const T& x) { return isfinite(x); }), c.end());
+    return c;
+  };
+  const std::vector<T> c = series(condition.place);
+  if (condition.argument)
+    find_first_change_of_root<T>(series(*condition.argument), c, condition.at_zero, most, first);
+  else
+    find_first_change<T>(c, condition.at_zero, most, first);
 }
 
 template <class T>
 template <class Horizon, class Found>
 void ElementBlocks<T>::find_changes(int orders, const Horizon& horizon, const Found& found) {
   std::vector<int> of_element(participants_);
-  std::vector<T> c(orders);
   for (std::size_t b = 0; b < blocks_.blocks(); ++b)
     for (int lane = 0; lane < blocks_.active(b); ++lane) {
       for (int i = 0; i < participants_; ++i) of_element[i] = rows(b, i)[lane] / padded(dimension_);
@@ -333,10 +345,11 @@ void ElementBlocks<T>::find_changes(int orders, const Horizon& horizon, const Fo
       if (!(all > T(0))) continue;
       T most = all;
       std::optional<T> first;
-      for (const auto& [place, at_zero] : blocks_.program().conditions) {
-        for (int k = 0; k < orders; ++k) c[k] = blocks_.at(b, place, k)[lane];
-        if (detail::outweighs_rest(c.data(), 1, 1, orders - 1, most)) continue;
-        find_first_change<T>(c, at_zero, most, first);
+      for (const auto& condition : blocks_.program().conditions) {
+        const T* series = blocks_.at(b, condition.place, 0);
+        const std::size_t next_order = orders > 1 ? blocks_.at(b, condition.place, 1) - series : 0;
+        if (detail::outweighs_rest(series + lane, next_order, 1, orders - 1, most)) continue;
+        find_change_of(b, lane, condition, orders, false, most, first);
       }
       if (most < all || first) found(of_element, most, first.has_value());
     }

@@ -165,13 +165,17 @@ class FirstOrderExpansion {
     using std::isfinite;
     std::optional<T> first;
     T most = h;
-    std::vector<T> c(order());
-    for (const auto& [place, at_zero] : blocks_.program().conditions) {
+    const auto series = [&](Place place) {
+      std::vector<T> c(order());
       for (int k = 0; k < order(); ++k) c[k] = *blocks_.at(0, place, k);
-      std::span<const T> known = c;
-      if (of_known)
-        known = known.first(std::ranges::find_if_not(c, [](const T& x) { return isfinite(x); }) - c.begin());
-      find_first_change<T>(known, at_zero, most, first);
+      if (of_known) c.erase(std::ranges::find_if_not(c, [](const T& x) { return isfinite(x); }), c.end());
+      return c;
+    };
+    for (const auto& [place, at_zero, argument] : blocks_.program().conditions) {
+      if (argument)
+        find_first_change_of_root<T>(series(*argument), series(place), at_zero, most, first);
+      else
+        find_first_change<T>(series(place), at_zero, most, first);
     }
     if (!first) h = most;
     return first;

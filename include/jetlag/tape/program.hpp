@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <memory>
 #include <new>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <utility>
@@ -60,8 +61,9 @@ struct Program {
   std::vector<Instruction> instructions;  // run at each order
   std::vector<Place> outputs;
   struct Watched {
-    Place place;  // a history
-    int at_zero;  // see Condition
+    Place place;                    // a history
+    int at_zero;                    // see Condition
+    std::optional<Place> argument;  // of a root: a history
   };
   std::vector<Watched> conditions;
   int histories = 0, statics = 0, scratches = 0;

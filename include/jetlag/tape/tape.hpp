@@ -35,7 +35,8 @@ struct Node {
 /// A series whose sign has decided which way a tape goes: where it changes, the tape goes another way.
 struct Condition {
   int node;
-  int at_zero;  // the sign that a zero is taken for; 0: that of what follows
+  int at_zero;        // the sign that a zero is taken for; 0: that of what follows
+  int argument = -1;  // of a root, where that has a series
 };
 
 struct Tape {
@@ -62,7 +63,9 @@ Tape pruned(const Tape& tape);
 
 /// The tape with all conditions that its outputs depend on: u - v of a comparison u < v; u of a sign, and so of |u| and
 /// max(u, v); and the root of a square root, a length or a power, which changes sign where the series goes on and the
-/// function turns back, as in sqrt(t^2); not that of a power below -1/2, which has a pole there. They are computed to all orders.
+/// function turns back, as in sqrt(t^2); not that of a power below -1/2, which has a pole there. Where its argument crosses
+/// zero, as in sqrt(max(t, 0)), the root has no series that tells: the argument is known beside it. All are computed to all
+/// orders.
 Tape with_conditions(Tape tape);
 
 }  // namespace jetlag

@@ -79,7 +79,7 @@ void LocalMotion::up_to_changes(Count now, std::span<const int> particles,
   struct End {
     int particle;
     double h;         // [s]
-    bool is_instant;  // no longer than 2^12 times what it ends beyond the change
+    bool is_instant;  // to a change, and no longer than 2^12 times what it ends beyond that
     auto operator<=>(const End&) const = default;
   };
   std::vector<End> ends;
@@ -92,7 +92,7 @@ void LocalMotion::up_to_changes(Count now, std::span<const int> particles,
   const auto found = [&](std::span<const int> rows, double s, bool is_change) {
     const double beyond = beyond_change(rows, now), h = is_change ? s + beyond : s;
     for (int i : rows)
-      if (!model_.fixed()[i] && h < left(i)) ends.push_back({i, h, h <= 0x1p12 * beyond});
+      if (!model_.fixed()[i] && h < left(i)) ends.push_back({i, h, is_change && h <= 0x1p12 * beyond});
   };
   if (updated_)
     updated_->find_changes(order_, horizon, found);

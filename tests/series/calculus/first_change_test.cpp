@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "support/digits50.hpp"
@@ -44,6 +46,26 @@ TEST(FirstChange, IsNoneOfWhatStaysOrTouches) {
   EXPECT_FALSE(change({1.0, -2.0, 1.0}, 2.0).has_value());  // (s - 1)^2
   EXPECT_FALSE(change({0.0, 0.0, 0.0}, 2.0).has_value());
   EXPECT_FALSE(change({std::numeric_limits<double>::quiet_NaN(), 1.0}, 2.0).has_value());
+}
+
+TEST(FirstChange, OfARootThatHasNoSeriesThereIsThatOfItsArgument) {
+  // (1/2 - s)^(3/2), 20 coefficients: its polynomial reaches no zero, and tells no farther than a part of the way.
+  std::vector<double> root{std::pow(0.5, 1.5)};
+  for (int k = 1; k < 20; ++k) root.push_back(root.back() * (2.5 - k) / k * -2);
+  const std::vector<double> crosses{0.5, -1.0}, stays{0.5, 1.0};
+  const auto found = [&](const std::vector<double>& f) {
+    double most = 2;
+    std::optional<double> first;
+    find_first_change_of_root<double>(f, root, 0, most, first);
+    return std::pair(most, first);
+  };
+  const auto [most, first] = found(crosses);
+  ASSERT_TRUE(first.has_value());
+  EXPECT_EQ(most, *first);
+  EXPECT_GT(*first, 0.5);
+  EXPECT_LT(*first, 0.5 + 64 * 0x1p-52);
+  EXPECT_LT(found(stays).first, 0.25);  // as of the root alone
+  EXPECT_FALSE(found(stays).second.has_value());
 }
 
 TEST(FirstChange, OfARootOfOrderThreeIsWhereItRisesOutOfRounding) {  // (s - 1)^3

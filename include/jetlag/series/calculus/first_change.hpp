@@ -25,6 +25,11 @@ std::optional<T> first_change(std::span<const T> c, int at_zero, const T& h);
 template <class T>
 void find_first_change(std::span<const T> c, int at_zero, T& most, std::optional<T>& first);
 
+/// As above for a root c of f: where f crosses zero, the series of c does not reach so far, and f tells.
+template <class T>
+void find_first_change_of_root(std::span<const T> f, std::span<const T> c, int at_zero, T& most,
+                               std::optional<T>& first);
+
 extern template std::optional<double> first_change(std::span<const double>, int, const double&);
 
 }  // namespace jetlag

@@ -132,4 +132,15 @@ void find_first_change(std::span<const T> c, int at_zero, T& most, std::optional
   }
 }
 
+template <class T>
+void find_first_change_of_root(std::span<const T> f, std::span<const T> c, int at_zero, T& most,
+                               std::optional<T>& first) {
+  T reach = most;
+  std::optional<T> crossing;
+  find_first_change<T>(f, 0, reach, crossing);
+  if (!crossing) return find_first_change<T>(c, at_zero, most, first);
+  most = reach;
+  first = crossing;
+}
+
 }  // namespace jetlag
