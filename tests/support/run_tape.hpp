@@ -19,16 +19,17 @@ inline bool same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
-/// The result of each element, `at_once` orders at a time. Its inputs are the components 0 .. n - 1 of a position.
-template <int degree, std::size_t n>
-std::vector<Jet<double, degree>> run_tape(const Tape& tape,
-                                          const std::vector<std::array<Jet<double, degree>, n>>& operands,
-                                          const std::vector<double>& parameters,
-                                          const KernelTable<double>& table, int at_once = 1) {
+/// The result of each element, `at_once` orders at a time. Its inputs are components of a position:
+/// of each element, a container of their series.
+template <class Operands>
+std::vector<typename Operands::value_type> run_tape(const Tape& tape, const std::vector<Operands>& operands,
+                                                    const std::vector<double>& parameters,
+                                                    const KernelTable<double>& table, int at_once = 1) {
+  constexpr int degree = Operands::value_type::degree;
   const Program program(tape);
   Blocks<double> blocks(program, operands.size(), parameters, table);
   blocks.reserve(degree + 1);
-  std::vector<Jet<double, degree>> results(operands.size());
+  std::vector<typename Operands::value_type> results(operands.size());
   for (int k = 0; k <= degree; k += at_once)
     for (std::size_t b = 0; b < blocks.blocks(); ++b) {
       const int orders = std::min(at_once, degree + 1 - k);

@@ -8,7 +8,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <string_view>
+#include <ostream>
+#include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "jetlag/series/elementary.hpp"
@@ -26,49 +29,27 @@ constexpr int elements = 70;  // two blocks of 32 lanes and a part of a third
 using J = Jet<double, degree>;
 using Tracked = Jet<RunningError<double>, degree>;
 
-/// Operands of one rule for each element: series with |u_k| < 2^-k, and a number where a constant is
-/// expected.
-template <class R>
-using Operands = std::vector<std::array<J, arity<R>>>;
+/// Of each element, the operands of one rule.
+using Operands = std::vector<std::vector<J>>;
 
-template <class R>
-Operands<R> random_operands() {
-  Uniform draw(3);
-  Operands<R> all(elements);
-  for (auto& operands : all)
-    for (int a = 0; a < arity<R>; ++a) {
-      operands[a][0] = draw(domain<R>().low, domain<R>().high);
-      if (R::reads[a] != Reads::constant)
-        for (int k = 1; k <= degree; ++k) operands[a][k] = draw(-1, 1) * std::ldexp(1.0, -k);
-    }
-  return all;
-}
+// ---- rules without their types: the tests are compiled once -------------------------------------------------
 
-/// One operation of rule R: series are inputs, constants are parameters.
-template <class R>
-Tape tape_of() {
-  Recording recording;
-  std::vector<int> operands;
-  for (int a = 0; a < arity<R>; ++a)
-    operands.push_back(R::reads[a] == Reads::constant
-                           ? recording.parameter(0).node()
-                           : recording.input({Input::Kind::position, 0, a}).node());
-  return recording.finish({recording.operation(rule_id<R>, operands, false)});
-}
+struct RuleOnATape {
+  std::string name;
+  int id;
+  std::vector<Reads> reads;  // of each operand, then of the result
+  Interval domain;
+  bool is_comparison;
+  J (*on_jets)(const std::vector<J>& operands);
+  Tracked (*on_tracked_jets)(const std::vector<J>& operands);
+  friend void PrintTo(const RuleOnATape& rule, std::ostream* out) { *out << rule.name; }
 
-/// The tape of one rule; what it reads as constant is the parameter.
-template <class R>
-std::vector<J> run(const Operands<R>& operands, const KernelTable<double>& table, int at_once = 1) {
-  std::vector<double> parameters;
-  for (int a = 0; a < arity<R>; ++a)
-    if (R::reads[a] == Reads::constant)
-      for (const auto& of_element : operands) parameters.push_back(of_element[a][0]);
-  return run_tape(tape_of<R>(), operands, parameters, table, at_once);
-}
+  std::size_t arity() const { return reads.size() - 1; }
+};
 
 /// The rule on jets of another number type.
 template <class R, class Result>
-Result on_jets(const std::array<J, arity<R>>& operands) {
+Result on_jets(const std::vector<J>& operands) {
   return [&]<std::size_t... A>(std::index_sequence<A...>) {
     const auto operand = [&](auto a) {
       if constexpr (R::reads[a] == Reads::constant) {
@@ -84,60 +65,120 @@ Result on_jets(const std::array<J, arity<R>>& operands) {
 }
 
 template <class R>
-class KernelLaws : public ::testing::Test {};
-TYPED_TEST_SUITE(KernelLaws, AllRules, NameOfRule);
+RuleOnATape on_a_tape() {
+  return {NameOfRule::GetName<R>(0),
+          rule_id<R>,
+          {R::reads.begin(), R::reads.end()},
+          domain<R>(),
+          std::is_same_v<R, Less> || std::is_same_v<R, LessOrEqual>,
+          on_jets<R, J>,
+          on_jets<R, Tracked>};
+}
 
-TYPED_TEST(KernelLaws, OneLaneHasTheBitsOfAJet) {
-  const auto operands = random_operands<TypeParam>();
-  const auto results = run<TypeParam>(operands, scalar_kernels<double>());
+std::vector<RuleOnATape> all_rules() {
+  return []<Rule... R>(RuleList<R...>) { return std::vector<RuleOnATape>{on_a_tape<R>()...}; }(Rules{});
+}
+
+// ---- tests of each ------------------------------------------------------------------------------------------
+
+/// Series with |u_k| < 2^-k, and a number where a constant is expected.
+Operands random_operands(const Interval& domain, const std::vector<bool>& is_constant) {
+  Uniform draw(3);
+  Operands all(elements, std::vector<J>(is_constant.size()));
+  for (auto& operands : all)
+    for (std::size_t a = 0; a < operands.size(); ++a) {
+      operands[a][0] = draw(domain.low, domain.high);
+      if (!is_constant[a])
+        for (int k = 1; k <= degree; ++k) operands[a][k] = draw(-1, 1) * std::ldexp(1.0, -k);
+    }
+  return all;
+}
+
+class KernelLaws : public ::testing::TestWithParam<RuleOnATape> {
+ protected:
+  const RuleOnATape& rule = GetParam();
+
+  bool is_constant(std::size_t operand) const { return rule.reads[operand] == Reads::constant; }
+
+  Operands random_operands() const {
+    std::vector<bool> constant;
+    for (std::size_t a = 0; a < rule.arity(); ++a) constant.push_back(is_constant(a));
+    return kernels_test::random_operands(rule.domain, constant);
+  }
+
+  /// One operation of the rule: series are inputs, constants are parameters.
+  Tape tape() const {
+    Recording recording;
+    std::vector<int> operands;
+    for (std::size_t a = 0; a < rule.arity(); ++a)
+      operands.push_back(is_constant(a)
+                             ? recording.parameter(0).node()
+                             : recording.input({Input::Kind::position, 0, static_cast<int>(a)}).node());
+    return recording.finish({recording.operation(rule.id, operands, false)});
+  }
+
+  /// The tape of the rule; what it reads as constant is the parameter.
+  std::vector<J> run(const Operands& operands, const KernelTable<double>& table, int at_once = 1) const {
+    std::vector<double> parameters;
+    for (std::size_t a = 0; a < rule.arity(); ++a)
+      if (is_constant(a))
+        for (const auto& of_element : operands) parameters.push_back(of_element[a][0]);
+    return run_tape(tape(), operands, parameters, table, at_once);
+  }
+};
+INSTANTIATE_TEST_SUITE_P(, KernelLaws, ::testing::ValuesIn(all_rules()),
+                         [](const auto& info) { return info.param.name; });
+
+TEST_P(KernelLaws, OneLaneHasTheBitsOfAJet) {
+  const auto operands = random_operands();
+  const auto results = run(operands, scalar_kernels<double>());
   for (int e = 0; e < elements; ++e) {
-    const J jet = on_jets<TypeParam, J>(operands[e]);
+    const J jet = rule.on_jets(operands[e]);
     for (int k = 0; k <= degree; ++k)
       EXPECT_TRUE(same_bits(results[e][k], jet[k])) << "element " << e << ", order " << k;
   }
 }
 
-TYPED_TEST(KernelLaws, LanesAgreeWithAJetOnEveryInstructionSet) {
+TEST_P(KernelLaws, LanesAgreeWithAJetOnEveryInstructionSet) {
   // A fused multiply-add rounds once where the jet rounds twice: both lie within the bound that the jet
   // carries.
-  const auto operands = random_operands<TypeParam>();
+  const auto operands = random_operands();
   for (const auto* table : tables_of_all_widths()) {
     SCOPED_TRACE(name(*table));
-    const auto results = run<TypeParam>(operands, *table);
+    const auto results = run(operands, *table);
     for (int e = 0; e < elements; ++e)
-      EXPECT_THAT((on_jets<TypeParam, Tracked>(operands[e])),
+      EXPECT_THAT(rule.on_tracked_jets(operands[e]),
                   HasCoefficients([&](int k) { return RunningError<double>(results[e][k]); }))
           << "element " << e;
   }
 }
 
-TYPED_TEST(KernelLaws, TwoOrdersAtOnceHaveTheBitsOfOneAfterTheOther) {
-  const auto operands = random_operands<TypeParam>();
+TEST_P(KernelLaws, TwoOrdersAtOnceHaveTheBitsOfOneAfterTheOther) {
+  const auto operands = random_operands();
   for (const auto* table : tables_of_all_widths()) {
     SCOPED_TRACE(name(*table));
-    const auto one = run<TypeParam>(operands, *table, 1), two = run<TypeParam>(operands, *table, 2);
+    const auto one = run(operands, *table, 1), two = run(operands, *table, 2);
     for (int e = 0; e < elements; ++e)
       for (int k = 0; k <= degree; ++k)
         EXPECT_TRUE(same_bits(one[e][k], two[e][k])) << "element " << e << ", order " << k;
   }
 }
 
-TYPED_TEST(KernelLaws, NotFiniteLanesLeaveTheOthersAlone) {
+TEST_P(KernelLaws, NotFiniteLanesLeaveTheOthersAlone) {
   for (const auto* table : tables_of_all_widths()) {
     SCOPED_TRACE(name(*table));
-    auto operands = random_operands<TypeParam>();
-    const auto before = run<TypeParam>(operands, *table);
+    auto operands = random_operands();
+    const auto before = run(operands, *table);
     const int ill[] = {1, 31, 40, elements - 1};
-    operands[ill[0]].fill(J(std::numeric_limits<double>::quiet_NaN()));
-    operands[ill[1]].fill(J(std::numeric_limits<double>::infinity()));
-    operands[ill[2]].fill(J(0.0));
-    operands[ill[3]].fill(J(-1.0));
-    const auto after = run<TypeParam>(operands, *table);
+    std::ranges::fill(operands[ill[0]], J(std::numeric_limits<double>::quiet_NaN()));
+    std::ranges::fill(operands[ill[1]], J(std::numeric_limits<double>::infinity()));
+    std::ranges::fill(operands[ill[2]], J(0.0));
+    std::ranges::fill(operands[ill[3]], J(-1.0));
+    const auto after = run(operands, *table);
     for (int e = 0; e < elements; ++e)
       for (int k = 0; k <= degree && std::ranges::find(ill, e) == std::end(ill); ++k)
         EXPECT_TRUE(same_bits(after[e][k], before[e][k])) << "element " << e << ", order " << k;
-    constexpr bool is_comparison = std::is_same_v<TypeParam, Less> || std::is_same_v<TypeParam, LessOrEqual>;
-    if (arity < TypeParam >> 0 && !is_comparison) {   // a comparison with NaN does not hold
+    if (rule.arity() > 0 && !rule.is_comparison) {    // a comparison with NaN does not hold
       EXPECT_FALSE(std::isfinite(after[ill[0]][0]));  // and the ill lane is not made well
     }
   }
@@ -151,7 +192,7 @@ TEST(Kernels, ComputeAWholeFunctionAsJetsDo) {  // all rules in one tape, the co
   Recording recording;
   const Tape tape = recording.finish(
       {f(recording.input({Input::Kind::position, 0, 0}), recording.input({Input::Kind::position, 0, 1}))});
-  const auto operands = random_operands<Multiply>();
+  const auto operands = random_operands(domain<Multiply>(), {false, false});
   for (const auto* table : tables_of_all_widths()) {
     SCOPED_TRACE(name(*table));
     const auto results = run_tape(tape, operands, {}, *table);
@@ -169,7 +210,7 @@ TEST(Kernels,
   Recording recording;
   const Recorded x = recording.input({Input::Kind::position, 0, 0});
   const Tape tape = recording.finish({sin(x * x) * cos(x) + exp(cos(x))});
-  const auto operands = random_operands<Square>();
+  const auto operands = random_operands(domain<Square>(), {false});
   for (const auto* table : tables_of_all_widths()) {
     SCOPED_TRACE(name(*table));
     const auto one = run_tape(tape, operands, {}, *table, 1), two = run_tape(tape, operands, {}, *table, 2);
