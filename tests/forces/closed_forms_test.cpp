@@ -10,6 +10,7 @@
 #include "jetlag/motion/expansion.hpp"
 #include "support/close.hpp"
 #include "support/digits50.hpp"
+#include "support/engine_of_numbers.hpp"
 
 namespace jetlag::testing {
 namespace {

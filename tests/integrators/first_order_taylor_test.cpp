@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "support/digits50.hpp"
+#include "support/engine_of_numbers.hpp"
 
 namespace jetlag::testing::first_order_taylor_test {
 namespace {

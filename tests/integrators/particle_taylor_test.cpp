@@ -14,6 +14,7 @@
 #include "jetlag/forces/gravity.hpp"
 #include "jetlag/forces/spring.hpp"
 #include "support/digits50.hpp"
+#include "support/engine_of_numbers.hpp"
 #include "support/problems.hpp"
 
 namespace jetlag::testing {

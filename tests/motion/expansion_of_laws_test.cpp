@@ -12,6 +12,7 @@
 #include "problems/laws.hpp"
 #include "support/close.hpp"
 #include "support/digits50.hpp"
+#include "support/engine_of_numbers.hpp"
 
 namespace jetlag::testing {
 namespace {

@@ -10,6 +10,7 @@
 #include "jetlag/motion/expansion.hpp"
 #include "support/close.hpp"
 #include "support/digits50.hpp"
+#include "support/engine_of_numbers.hpp"
 #include "support/random.hpp"
 
 namespace jetlag::testing::expansion_references_test {

@@ -13,6 +13,7 @@
 #include "jetlag/motion/first_order.hpp"
 #include "support/close.hpp"
 #include "support/digits50.hpp"
+#include "support/engine_of_numbers.hpp"
 #include "support/random.hpp"
 
 namespace jetlag::testing::expansion_test {

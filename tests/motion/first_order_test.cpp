@@ -11,6 +11,7 @@
 
 #include "support/close.hpp"
 #include "support/digits50.hpp"
+#include "support/engine_of_numbers.hpp"
 
 namespace jetlag::testing::first_order_test {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "jetlag/integrators/first_order_taylor.hpp"
 #include "reference/conditioning.hpp"
+#include "support/engine_of_numbers.hpp"
 
 namespace jetlag::testing {
 namespace {

@@ -11,6 +11,7 @@
 
 #include "reference/conditioning.hpp"
 #include "support/digits50.hpp"
+#include "support/engine_of_numbers.hpp"
 
 namespace jetlag::testing {
 namespace {

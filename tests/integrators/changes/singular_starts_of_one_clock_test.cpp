@@ -11,6 +11,7 @@
 #include "jetlag/forces/forces.hpp"
 #include "jetlag/integrators/first_order_taylor.hpp"
 #include "jetlag/integrators/particle_taylor.hpp"
+#include "support/engine_of_numbers.hpp"
 
 namespace jetlag::testing::singular_starts_of_one_clock_test {
 namespace {
