@@ -35,8 +35,8 @@
 //     static Vector<double, D> kink(const Positions<D, 2>& x, double stiffness, double rest_length);
 //
 // A force may make choices: select, abs, min, max, and roots that come to zero. Steps end where one of
-// them changes, found from the series of what decides it. A `kink` takes their place: it costs less, since particles far from
-// it are not looked at.
+// them changes, found from the series of what decides it; pow(max(d, 0), 1.5) is zero to all orders where d < 0.
+// A `kink` takes their place: it costs less, since particles far from it are not looked at.
 //
 // What a series cannot tell, no step sees: a pulse whose coefficients at the beginning are below their rounding, as of
 // exp(-50 (t - 5)^2) at t = 0, and what is shorter than a step and no choice, as the cut of atan2 where it is crossed twice.
