@@ -9,7 +9,6 @@
 #include <cmath>
 #include <limits>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "jetlag/series/comparisons.hpp"
@@ -30,71 +29,78 @@ using J = Jet<double, degree>;
 using Tracked = Jet<RunningError<double>, degree>;
 using Operands = std::vector<std::array<J, 2>>;
 
-template <class F>
-struct Named {
-  const char* name;
-  F f;
+/// A function without its type: the tests are compiled once.
+struct Function {
+  std::string name;
+  Recorded (*on_tape)(const Recorded& x, const Recorded& y);
+  J (*on_jets)(const J& x, const J& y);
+  Tracked (*on_tracked_jets)(const Tracked& x, const Tracked& y);
+
+  template <class F>
+  Function(const char* its_name, F)
+      : name(its_name),
+        on_tape(&call<F, Recorded>),
+        on_jets(&call<F, J>),
+        on_tracked_jets(&call<F, Tracked>) {}
+
+ private:
+  template <class F, class T>
+  static T call(const T& x, const T& y) {
+    return F{}(x, y);
+  }
 };
-template <class F>
-Named(const char*, F) -> Named<F>;
 
 /// Functions of x and y, 1/8 < x_0 < 7/8 < 1 < y_0 < 2; further out each leaves its range somewhere.
-constexpr auto functions = std::tuple{
-    Named{"square root", [](const auto& x, const auto&) { return sqrt(x); }},
-    Named{"cbrt", [](const auto& x, const auto&) { return cbrt(x); }},
-    Named{"real power", [](const auto& x, const auto&) { return pow(x, 1.5); }},
-    Named{"negative power", [](const auto& x, const auto&) { return pow(x, -2); }},
-    Named{"power of a number", [](const auto& x, const auto&) { return pow(2.5, x); }},
-    Named{"power", [](const auto& x, const auto& y) { return pow(x, y); }},
-    Named{"exp", [](const auto& x, const auto&) { return exp(x); }},
-    Named{"expm1", [](const auto& x, const auto&) { return expm1(x); }},
-    Named{"log", [](const auto& x, const auto&) { return log(x); }},
-    Named{"log1p", [](const auto& x, const auto&) { return log1p(x); }},
-    Named{"log2", [](const auto& x, const auto&) { return log2(x); }},
-    Named{"log10", [](const auto& x, const auto&) { return log10(x); }},
-    Named{"sin", [](const auto& x, const auto&) { return sin(x); }},
-    Named{"cos", [](const auto& x, const auto&) { return cos(x); }},
-    Named{"tan", [](const auto& x, const auto&) { return tan(x); }},
-    Named{"asin", [](const auto& x, const auto&) { return asin(x); }},
-    Named{"acos", [](const auto& x, const auto&) { return acos(x); }},
-    Named{"atan", [](const auto& x, const auto&) { return atan(x); }},
-    Named{"sinh", [](const auto& x, const auto&) { return sinh(x); }},
-    Named{"cosh", [](const auto& x, const auto&) { return cosh(x); }},
-    Named{"tanh", [](const auto& x, const auto&) { return tanh(x); }},
-    Named{"asinh", [](const auto& x, const auto&) { return asinh(x); }},
-    Named{"acosh", [](const auto&, const auto& y) { return acosh(y); }},
-    Named{"atanh", [](const auto& x, const auto&) { return atanh(x); }},
-    Named{"erf", [](const auto& x, const auto&) { return erf(x); }},
-    Named{"erfc", [](const auto& x, const auto&) { return erfc(x); }},
-    Named{"hypot", [](const auto& x, const auto& y) { return hypot(x, y); }},
-    Named{"hypot with a number", [](const auto& x, const auto&) { return hypot(x, 3.0); }},
-    Named{"atan2", [](const auto& x, const auto& y) { return atan2(x, -y); }},
-    Named{"atan2 over a number", [](const auto& x, const auto&) { return atan2(x, 2.0); }},
-    Named{"atan2 of a number", [](const auto& x, const auto&) { return atan2(-2.0, x); }},
-    Named{"abs", [](const auto& x, const auto& y) { return abs(x - y); }},
-    Named{"min", [](const auto& x, const auto& y) { return min(x * y, 0.5); }},
-    Named{"max", [](const auto& x, const auto& y) { return max(x * y, x + 0.25); }},
-    Named{"select", [](const auto& x, const auto& y) { return select(x < 0.5, sqrt(x), y); }},
-    Named{"all together",
-          [](const auto& x, const auto& y) {
-            // factors in the order of their names: a tape multiplies the older by the newer
-            const auto a = asin(x), b = erf(y), c = atan2(log1p(x), acosh(y)), d = cbrt(hypot(x, y));
-            return tan(a * b) + c * d - select(x * y < 0.5, tanh(y), pow(y, x)) / (1.0 + expm1(max(x, 0.5)));
-          }},
+const std::vector<Function> functions{
+    Function{"square root", [](const auto& x, const auto&) { return sqrt(x); }},
+    Function{"cbrt", [](const auto& x, const auto&) { return cbrt(x); }},
+    Function{"real power", [](const auto& x, const auto&) { return pow(x, 1.5); }},
+    Function{"negative power", [](const auto& x, const auto&) { return pow(x, -2); }},
+    Function{"power of a number", [](const auto& x, const auto&) { return pow(2.5, x); }},
+    Function{"power", [](const auto& x, const auto& y) { return pow(x, y); }},
+    Function{"exp", [](const auto& x, const auto&) { return exp(x); }},
+    Function{"expm1", [](const auto& x, const auto&) { return expm1(x); }},
+    Function{"log", [](const auto& x, const auto&) { return log(x); }},
+    Function{"log1p", [](const auto& x, const auto&) { return log1p(x); }},
+    Function{"log2", [](const auto& x, const auto&) { return log2(x); }},
+    Function{"log10", [](const auto& x, const auto&) { return log10(x); }},
+    Function{"sin", [](const auto& x, const auto&) { return sin(x); }},
+    Function{"cos", [](const auto& x, const auto&) { return cos(x); }},
+    Function{"tan", [](const auto& x, const auto&) { return tan(x); }},
+    Function{"asin", [](const auto& x, const auto&) { return asin(x); }},
+    Function{"acos", [](const auto& x, const auto&) { return acos(x); }},
+    Function{"atan", [](const auto& x, const auto&) { return atan(x); }},
+    Function{"sinh", [](const auto& x, const auto&) { return sinh(x); }},
+    Function{"cosh", [](const auto& x, const auto&) { return cosh(x); }},
+    Function{"tanh", [](const auto& x, const auto&) { return tanh(x); }},
+    Function{"asinh", [](const auto& x, const auto&) { return asinh(x); }},
+    Function{"acosh", [](const auto&, const auto& y) { return acosh(y); }},
+    Function{"atanh", [](const auto& x, const auto&) { return atanh(x); }},
+    Function{"erf", [](const auto& x, const auto&) { return erf(x); }},
+    Function{"erfc", [](const auto& x, const auto&) { return erfc(x); }},
+    Function{"hypot", [](const auto& x, const auto& y) { return hypot(x, y); }},
+    Function{"hypot with a number", [](const auto& x, const auto&) { return hypot(x, 3.0); }},
+    Function{"atan2", [](const auto& x, const auto& y) { return atan2(x, -y); }},
+    Function{"atan2 over a number", [](const auto& x, const auto&) { return atan2(x, 2.0); }},
+    Function{"atan2 of a number", [](const auto& x, const auto&) { return atan2(-2.0, x); }},
+    Function{"abs", [](const auto& x, const auto& y) { return abs(x - y); }},
+    Function{"min", [](const auto& x, const auto& y) { return min(x * y, 0.5); }},
+    Function{"max", [](const auto& x, const auto& y) { return max(x * y, x + 0.25); }},
+    Function{"select", [](const auto& x, const auto& y) { return select(x < 0.5, sqrt(x), y); }},
+    Function{"all together",
+             [](const auto& x, const auto& y) {
+               // factors in the order of their names: a tape multiplies the older by the newer
+               const auto a = asin(x), b = erf(y), c = atan2(log1p(x), acosh(y)), d = cbrt(hypot(x, y));
+               return tan(a * b) + c * d -
+                      select(x * y < 0.5, tanh(y), pow(y, x)) / (1.0 + expm1(max(x, 0.5)));
+             }},
 };
 
-/// action(name, f) for each function.
-template <class Action>
-void for_each_function(Action action) {
-  std::apply([&](const auto&... named) { (action(named.name, named.f), ...); }, functions);
-}
-
-template <class F>
-Tape tape_of(F f) {
+Tape tape_of(const Function& f) {
   Recording recording;
   const Recorded x = recording.input({Input::Kind::position, 0, 0}),
                  y = recording.input({Input::Kind::position, 0, 1});
-  return recording.finish({f(x, y)});
+  return recording.finish({f.on_tape(x, y)});
 }
 
 Operands random_operands() {
@@ -118,10 +124,10 @@ using ArithmeticAndConditions = RuleList<Embed, Add, Subtract, Negate, Offset, S
 
 TEST(FunctionsOnATape, AreAllOfTheRegister) {
   std::vector<bool> is_recorded(Rules::size, false);
-  for_each_function([&](const char*, auto f) {
+  for (const Function& f : functions) {
     for (const Node& node : tape_of(f).nodes)
       if (node.kind == Node::Kind::operation) is_recorded[node.rule] = true;
-  });
+  }
   [&]<Rule... R>(RuleList<R...>) { ((is_recorded[rule_id<R>] = true), ...); }(ArithmeticAndConditions{});
   const auto expect_recorded = [&](const char* name, int id) {
     EXPECT_TRUE(is_recorded[id]) << name << ": add a function that records it to the list above";
@@ -131,23 +137,23 @@ TEST(FunctionsOnATape, AreAllOfTheRegister) {
 
 TEST(FunctionsOnATape, HaveTheBitsOfJetsOnOneLane) {
   const auto operands = random_operands();
-  for_each_function([&](const char* name, auto f) {
+  for (const Function& f : functions) {
     // A tape adds many terms in another order, and multiplies the factors of a product in the order of its nodes.
-    if (name == std::string("all together") || name == std::string("acosh")) return;
+    if (f.name == "all together" || f.name == "acosh") continue;
     const auto results = run_tape(tape_of(f), operands, {}, scalar_kernels<double>());
     for (int e = 0; e < elements; ++e) {
-      const J jet = f(operands[e][0], operands[e][1]);
+      const J jet = f.on_jets(operands[e][0], operands[e][1]);
       for (int k = 0; k <= degree; ++k)
-        EXPECT_TRUE(same_bits(results[e][k], jet[k])) << name << ", element " << e << ", order " << k << ": "
-                                                      << results[e][k] << " instead of " << jet[k];
+        EXPECT_TRUE(same_bits(results[e][k], jet[k])) << f.name << ", element " << e << ", order " << k
+                                                      << ": " << results[e][k] << " instead of " << jet[k];
     }
-  });
+  }
 }
 
 TEST(FunctionsOnATape, AgreeWithJetsOnEveryInstructionSet) {
   // A fused multiply-add rounds once where the jet rounds twice: both lie within the bound that the jet carries.
   const auto operands = random_operands();
-  for_each_function([&](const char* name, auto f) {
+  for (const Function& f : functions) {
     const Tape tape = tape_of(f);
     for (const auto* table : available_kernels()) {
       SCOPED_TRACE(table->instruction_set);
@@ -156,12 +162,12 @@ TEST(FunctionsOnATape, AgreeWithJetsOnEveryInstructionSet) {
         std::array<Tracked, 2> u;
         for (int k = 0; k <= degree; ++k)
           for (int a = 0; a < 2; ++a) u[a][k] = operands[e][a][k];
-        EXPECT_THAT(f(u[0], u[1]),
+        EXPECT_THAT(f.on_tracked_jets(u[0], u[1]),
                     HasCoefficients([&](int k) { return RunningError<double>(results[e][k]); }))
-            << name << ", element " << e;
+            << f.name << ", element " << e;
       }
     }
-  });
+  }
 }
 
 int first_not_finite(const J& u) {
@@ -184,22 +190,22 @@ TEST(FunctionsOnATape, AreNotFiniteWhereJetsAreNotAndHarmNoOtherLane) {
       is_ill[e] = true;
       e += 3;
     }
-  for_each_function([&](const char* name, auto f) {
+  for (const Function& f : functions) {
     const Tape tape = tape_of(f);
     for (const auto* table : available_kernels()) {
       SCOPED_TRACE(table->instruction_set);
       const auto before = run_tape(tape, well, {}, *table), after = run_tape(tape, operands, {}, *table);
       for (int i = 0; i < elements; ++i) {
         if (is_ill[i]) {
-          const J jet = f(operands[i][0], operands[i][1]);
-          EXPECT_LE(first_not_finite(after[i]), first_not_finite(jet)) << name << ", element " << i;
+          const J jet = f.on_jets(operands[i][0], operands[i][1]);
+          EXPECT_LE(first_not_finite(after[i]), first_not_finite(jet)) << f.name << ", element " << i;
           continue;
         }
         for (int k = 0; k <= degree; ++k)
-          EXPECT_TRUE(same_bits(after[i][k], before[i][k])) << name << ", element " << i << ", order " << k;
+          EXPECT_TRUE(same_bits(after[i][k], before[i][k])) << f.name << ", element " << i << ", order " << k;
       }
     }
-  });
+  }
 }
 
 // ---- what is recorded ------------------------------------------------------------------------------------
