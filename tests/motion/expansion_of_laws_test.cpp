@@ -14,7 +14,7 @@
 #include "support/digits50.hpp"
 #include "support/engine_of_numbers.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::expansion_of_laws_test {
 namespace {
 
 /// A push that depends on the time only: F = cos(t) along every axis.
@@ -87,4 +87,4 @@ TEST(Expansion, IsNotFiniteWhereParticlesCoincide) {
 }
 
 }  // namespace
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::expansion_of_laws_test
