@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "jetlag/model/system.hpp"
-#include "jetlag/series/calculus/first_change.hpp"
 #include "jetlag/series/calculus/row_sums.hpp"
 #include "jetlag/tape/program.hpp"
+#include "jetlag/tape/watched.hpp"
 
 namespace jetlag {
 
@@ -320,18 +320,8 @@ void ElementBlocks<T>::find_change(int orders, T& most, std::optional<T>& first,
 template <class T>
 void ElementBlocks<T>::find_change_of(std::size_t b, std::size_t lane, const Program::Watched& condition,
                                       int orders, bool of_known, T& most, std::optional<T>& first) {
-  using std::isfinite;
-  const auto series = [&](Place place) {
-    std::vector<T> c(orders);
-    for (int k = 0; k < orders; ++k) c[k] = blocks_.at(b, place, k)[lane];
-    if (of_known) c.erase(std::ranges::find_if_not(c, [](const T& x) { return isfinite(x); }), c.end());
-    return c;
-  };
-  const std::vector<T> c = series(condition.place);
-  if (condition.argument)
-    find_first_change_of_root<T>(series(*condition.argument), c, condition.at_zero, most, first);
-  else
-    find_first_change<T>(c, condition.at_zero, most, first);
+  const auto at = [&](Place place, int k) { return blocks_.at(b, place, k)[lane]; };
+  find_first_change<T>(condition, at, orders, of_known, most, first);
 }
 
 template <class T>

@@ -26,9 +26,9 @@
 #include <string>
 #include <vector>
 
-#include "jetlag/series/calculus/first_change.hpp"
 #include "jetlag/tape/program.hpp"
 #include "jetlag/tape/recording.hpp"
+#include "jetlag/tape/watched.hpp"
 
 namespace jetlag {
 
@@ -162,21 +162,11 @@ class FirstOrderExpansion {
   /// jetlag::first_change. h becomes shorter where the series of a condition does not reach so far.
   /// of_known: as far as the coefficients say that are known where others are not finite.
   std::optional<T> first_change(T& h, bool of_known = false) {
-    using std::isfinite;
     std::optional<T> first;
     T most = h;
-    const auto series = [&](Place place) {
-      std::vector<T> c(order());
-      for (int k = 0; k < order(); ++k) c[k] = *blocks_.at(0, place, k);
-      if (of_known) c.erase(std::ranges::find_if_not(c, [](const T& x) { return isfinite(x); }), c.end());
-      return c;
-    };
-    for (const auto& [place, at_zero, argument] : blocks_.program().conditions) {
-      if (argument)
-        find_first_change_of_root<T>(series(*argument), series(place), at_zero, most, first);
-      else
-        find_first_change<T>(series(place), at_zero, most, first);
-    }
+    const auto at = [&](Place place, int k) { return *blocks_.at(0, place, k); };
+    for (const auto& condition : blocks_.program().conditions)
+      find_first_change<T>(condition, at, order(), of_known, most, first);
     if (!first) h = most;
     return first;
   }
