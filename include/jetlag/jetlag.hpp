@@ -12,6 +12,7 @@
 #include "jetlag/ensembles/ensemble.hpp"
 #include "jetlag/ensembles/random_ensemble.hpp"
 #include "jetlag/forces/forces.hpp"
+#include "jetlag/forces/solids/lame.hpp"
 #include "jetlag/integrators/explicit/dop853.hpp"
 #include "jetlag/integrators/explicit/dopri5.hpp"
 #include "jetlag/integrators/explicit/gauss_radau.hpp"

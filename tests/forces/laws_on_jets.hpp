@@ -34,6 +34,9 @@ struct LawInDimension {
   std::vector<Tracked> (*given)(const Moving&, const Parameters&);  // forces, component by component
   std::vector<double> (*given_on_numbers)(const Moving&, const Parameters&);
   Tracked (*energy)(const Moving&, const Parameters&);  // null: it has none
+  /// The parameters of a rest shape, of positions as in Moving, and of a material; null: they may be any.
+  Parameters (*at_rest)(const std::vector<double>& positions, const std::vector<double>& material);
+  std::size_t materials;
 };
 struct LawOnJets {
   std::string name;
@@ -89,8 +92,20 @@ Tracked energy_of(const Moving& all, const Parameters& c) {
   }(EachParameter<L>{});
 }
 
+template <class L, int D>
+Parameters parameters_at_rest(const std::vector<double>& positions, const std::vector<double>& material) {
+  Positions<D, L::participants> x;
+  for (int i = 0; i < L::participants; ++i) x[i] = Vector<double, D>::Map(positions.data() + i * D);
+  const auto c = [&]<std::size_t... I>(std::index_sequence<I...>) {
+    return L::at_rest(x, material[I]...);
+  }(std::make_index_sequence<L::material.size()>{});
+  return {c.begin(), c.end()};
+}
+
 template <class L>
-constexpr bool has_energy = requires(Participants<double, 3, L::participants> p) {
+constexpr int some_dimension = is_defined_in<L>(3) ? 3 : 2;
+template <class L>
+constexpr bool has_energy = requires(Participants<double, some_dimension<L>, L::participants> p) {
   []<std::size_t... I>(const auto& q,
                        std::index_sequence<I...>) -> decltype(L::energy(q, ((void)I, 0.0)...)) {
     return {};
@@ -101,7 +116,11 @@ template <class L, int D>
 void add_dimension(LawOnJets& law) {
   if constexpr (is_defined_in<L>(D)) {
     law.in_dimensions.push_back(
-        {D, record_law<L>, given_forces<L, Tracked, D>, given_forces<L, double, D>, nullptr});
+        {D, record_law<L>, given_forces<L, Tracked, D>, given_forces<L, double, D>, nullptr, nullptr, 0});
+    if constexpr (HasRestShape<L>) {
+      law.in_dimensions.back().at_rest = parameters_at_rest<L, D>;
+      law.in_dimensions.back().materials = L::material.size();
+    }
     if constexpr (has_energy<L>) law.in_dimensions.back().energy = energy_of<L, D>;
   }
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "forces/laws_on_jets.hpp"
@@ -39,10 +40,24 @@ class ForceLaws : public ::testing::TestWithParam<LawOnJets> {
     return p;
   }
 
-  Parameters random_parameters(Uniform& draw) const {
-    Parameters c(law.parameters);
+  static Parameters random_numbers(std::size_t count, Uniform& draw) {
+    Parameters c(count);
     for (double& x : c) x = draw(0.5, 2);
     return c;
+  }
+
+  /// A well-shaped simplex of some material at rest, and the participants near it, displaced as a whole: the
+  /// corners 0, e_1, e_2, ... moved by up to 0.15 keep the sign of their volume.
+  std::pair<Moving, Parameters> near_a_rest_shape(const LawInDimension& in, Uniform& draw) const {
+    Moving p = random_participants(in.dimension, draw);
+    std::vector<double> rest(p.position.size());
+    for (int i = 0; i < participants; ++i)
+      for (int c = 0; c < in.dimension; ++c) {
+        const double corner = i == c + 1 ? 1.0 : 0.0;
+        rest[i * in.dimension + c] = corner + draw(-0.15, 0.15);
+        p.position[i * in.dimension + c] = 0.5 + corner + draw(-0.15, 0.15);
+      }
+    return {p, in.at_rest(rest, random_numbers(in.materials, draw))};
   }
 
   /// From where they are, along random polynomials.
@@ -77,7 +92,12 @@ class ForceLaws : public ::testing::TestWithParam<LawOnJets> {
     for (const LawInDimension& in : law.in_dimensions) {
       SCOPED_TRACE("dimension " + std::to_string(in.dimension));
       for (int i = 0; i < 10; ++i) {
-        const Parameters c = random_parameters(draw);
+        if (in.at_rest != nullptr) {
+          const auto [p, c] = near_a_rest_shape(in, draw);
+          f(in, p, c);
+          continue;
+        }
+        const Parameters c = random_numbers(law.parameters, draw);
         f(in, random_participants(in.dimension, draw), c);
       }
     }

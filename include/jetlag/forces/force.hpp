@@ -27,6 +27,12 @@
 //     template <class T, int D>     // potential energy [J]
 //     static T energy(const Participants<T, D, 2>& p, const T& stiffness, const T& rest_length);
 //
+//     // how its parameters follow from where its participants are at rest [m] and from what they are made of; throws
+//     // std::invalid_argument for what cannot be, see System::add_at_rest (model/system.hpp)
+//     static constexpr std::array material{"lame_lambda", "lame_mu"};
+//     template <class T>            // T: the numbers of a system
+//     static std::array<T, parameters.size()> at_rest(const std::array<Vector<T, 3>, 4>& x, const T& lambda, const T& mu);
+//
 //     static double stiffness(double k, double);            // k [N/m], of the parameters: for the Courant limit
 //     static double damping(double c);                      // c [kg/s], of the parameters: for the Courant limit
 //     static constexpr bool unbounded = true;               // there is no stiffness: Courant limits go without the law
@@ -97,6 +103,10 @@ concept ForceLaw = requires {
   { L::participants } -> std::convertible_to<int>;
   L::parameters.size();
 } && (1 <= L::participants && L::participants <= most_participants);
+
+/// A law whose parameters follow from a rest shape and a material.
+template <class L>
+concept HasRestShape = ForceLaw<L> && requires { L::material.size(); };
 
 /// Whether a law gives the forces on all of its participants.
 template <ForceLaw L>

@@ -8,6 +8,12 @@
 #include "jetlag/forces/floor.hpp"
 #include "jetlag/forces/gravity.hpp"
 #include "jetlag/forces/softened_gravity.hpp"
+#include "jetlag/forces/solids/kelvin_voigt.hpp"
+#include "jetlag/forces/solids/neo_hookean.hpp"
+#include "jetlag/forces/solids/pressure.hpp"
+#include "jetlag/forces/solids/stable_neo_hookean.hpp"
+#include "jetlag/forces/solids/stvk.hpp"
+#include "jetlag/forces/solids/traction.hpp"
 #include "jetlag/forces/spring.hpp"
 #include "jetlag/forces/uniform_field.hpp"
 #include "jetlag/forces/zero_length_spring.hpp"
@@ -30,6 +36,13 @@ using Forces = LawList<Spring,            //
                        Gravity,           //
                        SoftenedGravity,   //
                        Floor,             //
-                       QuadraticFloor>;
+                       QuadraticFloor,    //
+                       // solids
+                       NeoHookean, PlaneNeoHookean,                      //
+                       StableNeoHookean, PlaneStableNeoHookean,          //
+                       PolynomialNeoHookean, PlanePolynomialNeoHookean,  //
+                       Stvk, PlaneStvk,                                  //
+                       KelvinVoigt, PlaneKelvinVoigt,                    //
+                       Pressure, Traction>;
 
 }  // namespace jetlag

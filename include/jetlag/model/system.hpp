@@ -9,6 +9,8 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "jetlag/forces/force.hpp"
@@ -91,6 +93,15 @@ class System {
   }
   void add(RecordedLaw law, std::vector<int> particles, std::vector<T> parameters);
 
+  /// Elements of a law L whose parameters follow from a rest shape and a material (forces/force.hpp).
+  /// rest: where particles are at rest [m], shape (particles, dimension); material: L::material of each element, or one for
+  /// all. Throws std::invalid_argument as add, and for an element that cannot be at rest so: its number and why, as a volume
+  /// that is negative, flat elements, numbers that are not finite.
+  template <HasRestShape L>
+  void add_at_rest(const std::vector<std::array<int, L::participants>>& participants,
+                   const Coordinates<T>& rest,
+                   const std::vector<std::array<T, L::material.size()>>& material);
+
   int dimension() const { return dimension_; }
   int particles() const { return static_cast<int>(mass_.size()); }
   const std::vector<T>& mass() const { return mass_; }
@@ -132,25 +143,91 @@ void System<T>::fix(int particle) {
   fixed_[particle] = true;
 }
 
+namespace detail {
+
+/// Throws std::invalid_argument unless every element is of different particles that exist, 0 .. count-1.
+inline void require_members(const std::string& who, const std::vector<int>& members, int participants,
+                            int count) {
+  if (members.size() % participants != 0)
+    throw std::invalid_argument(who + " acts on " + std::to_string(participants) + " particles");
+  for (std::size_t n = 0; n < members.size(); ++n) {
+    const int particle = members[n];
+    const auto refuse = [&](const std::string& why) {
+      throw std::invalid_argument(who + " " + std::to_string(n / participants) + ": particle " +
+                                  std::to_string(particle) + why);
+    };
+    if (particle < 0 || particle >= count) refuse(" does not exist, there are " + std::to_string(count));
+    const auto here = members.begin() + static_cast<std::ptrdiff_t>(n);
+    if (std::find(here - static_cast<std::ptrdiff_t>(n % participants), here, particle) != here)
+      refuse(" cannot be paired with itself");
+  }
+}
+
+/// L::at_rest(x, material ...) of one element.
+template <int D, HasRestShape L, class T>
+std::array<T, L::parameters.size()> parameters_at_rest(const std::string& who,
+                                                       const std::array<int, L::participants>& element,
+                                                       const Coordinates<T>& rest,
+                                                       const std::array<T, L::material.size()>& material) {
+  using std::isfinite;
+  std::array<Vector<T, D>, L::participants> x;
+  for (int i = 0; i < L::participants; ++i) x[i] = rest.row(element[i]);
+  try {
+    const auto parameters = [&]<std::size_t... I>(std::index_sequence<I...>) {
+      return L::at_rest(x, material[I]...);
+    }(std::make_index_sequence<L::material.size()>{});
+    for (const T& c : parameters)
+      if (!isfinite(c))
+        throw std::invalid_argument("its rest shape, its material and what follows from them must be finite");
+    return parameters;
+  } catch (const std::invalid_argument& why) {
+    throw std::invalid_argument(who + why.what());
+  }
+}
+
+}  // namespace detail
+
+template <class T>
+template <HasRestShape L>
+void System<T>::add_at_rest(const std::vector<std::array<int, L::participants>>& participants,
+                            const Coordinates<T>& rest,
+                            const std::vector<std::array<T, L::material.size()>>& material) {
+  const std::string who = "System: " + std::string(L::name);
+  RecordedLaw law = record_law<L>(dimension_);
+  std::vector<int> members;
+  for (const auto& element : participants) members.insert(members.end(), element.begin(), element.end());
+  detail::require_members(who, members, L::participants, particles());
+  if (rest.rows() != particles() || rest.cols() != dimension_)
+    throw std::invalid_argument(who + ": rest positions must have the shape (" + std::to_string(particles()) +
+                                ", " + std::to_string(dimension_) + ")");
+  if (material.size() != participants.size() && material.size() != 1)
+    throw std::invalid_argument(who + ": a material is needed for each of " +
+                                std::to_string(participants.size()) + " elements, or once for all");
+  std::vector<T> parameters;
+  parameters.reserve(participants.size() * L::parameters.size());
+  for (std::size_t e = 0; e < participants.size(); ++e) {
+    const std::string element = who + " " + std::to_string(e) + ": ";
+    const auto& of = material[material.size() == 1 ? 0 : e];
+    const auto append = [&]<int D>(std::integral_constant<int, D>) {
+      if constexpr (is_defined_in<L>(D)) {
+        const auto set = detail::parameters_at_rest<D, L, T>(element, participants[e], rest, of);
+        parameters.insert(parameters.end(), set.begin(), set.end());
+      }
+    };
+    if (dimension_ == 2) append(std::integral_constant<int, 2>{});
+    if (dimension_ == 3) append(std::integral_constant<int, 3>{});
+    if (dimension_ == 1) append(std::integral_constant<int, 1>{});
+  }
+  add(std::move(law), std::move(members), std::move(parameters));
+}
+
 template <class T>
 void System<T>::add(RecordedLaw law, std::vector<int> members, std::vector<T> parameters) {
   const std::string who = "System: " + law.name;
   if (law.dimension != dimension_)
     throw std::invalid_argument(who + " was recorded for dimension " + std::to_string(law.dimension));
-  if (members.size() % law.participants != 0)
-    throw std::invalid_argument(who + " acts on " + std::to_string(law.participants) + " particles");
+  detail::require_members(who, members, law.participants, particles());
   const std::size_t count = members.size() / law.participants, width = law.parameters.size();
-  for (std::size_t e = 0; e < count; ++e)
-    for (int i = 0; i < law.participants; ++i) {
-      const int particle = members[e * law.participants + i];
-      if (particle < 0 || particle >= particles())
-        throw std::invalid_argument(who + " " + std::to_string(e) + ": particle " + std::to_string(particle) +
-                                    " does not exist, there are " + std::to_string(particles()));
-      const auto first = members.begin() + static_cast<std::ptrdiff_t>(e * law.participants);
-      if (std::find(first, first + i, particle) != first + i)
-        throw std::invalid_argument(who + " " + std::to_string(e) + ": particle " + std::to_string(particle) +
-                                    " cannot be paired with itself");
-    }
   if (parameters.size() == width && count != 1) {
     std::vector<T> repeated;
     repeated.reserve(count * width);
