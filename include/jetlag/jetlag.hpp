@@ -32,6 +32,7 @@
 #include "jetlag/integrators/state_variance.hpp"
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/model/energy.hpp"
+#include "jetlag/model/lumped_mass.hpp"
 #include "jetlag/model/model.hpp"
 #include "jetlag/model/system.hpp"
 #include "jetlag/motion/expansion.hpp"
