@@ -44,15 +44,14 @@ struct OfNeoHookean {
     return e;
   }
 
-  /// q c_i - sum_j A_ij d_j.
+  /// q c_i - sum_j A_ij d_j, as a sum of which all terms are added: a tape has one operation for it.
   template <class T>
   static std::array<Vector<T, D>, D> sum_of(const T& q, const Edges<T, D>& c, const Symmetric<T, D>& a,
                                             const Edges<T, D>& d) {
+    Symmetric<T, D> minus_a;
+    for (std::size_t i = 0; i < a.size(); ++i) minus_a[i] = -a[i];
     std::array<Vector<T, D>, D> f;
-    for (int i = 0; i < D; ++i) {
-      f[i] = q * c[i];
-      for (int j = 0; j < D; ++j) f[i] -= a[place<D>(i, j)] * d[j];
-    }
+    for (int i = 0; i < D; ++i) f[i] = q * c[i] + row_times<T, D>(minus_a, i, d);
     return f;
   }
 

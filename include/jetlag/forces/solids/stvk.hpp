@@ -122,8 +122,8 @@ struct StvkSimplex {
       Symmetric<T, D> g;
       for (int a = 0; a < n; ++a) {
         const auto [i, j] = pair_of_edges<D>(a);
-        const T change = rest_gram[a] - T(i == j ? d[i].squaredNorm() : d[i].dot(d[j]));
-        g[a] = i == j ? change : T(T(2.0) * change);
+        g[a] = i == j ? T(rest_gram[a] - d[i].squaredNorm())
+                      : T(T(-2.0) * d[i].dot(d[j]) + (rest_gram[a] + rest_gram[a]));
       }
       return g;
     }
