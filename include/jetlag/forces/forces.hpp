@@ -8,6 +8,7 @@
 #include "jetlag/forces/floor.hpp"
 #include "jetlag/forces/gravity.hpp"
 #include "jetlag/forces/softened_gravity.hpp"
+#include "jetlag/forces/solids/corotated.hpp"
 #include "jetlag/forces/solids/kelvin_voigt.hpp"
 #include "jetlag/forces/solids/neo_hookean.hpp"
 #include "jetlag/forces/solids/pressure.hpp"
@@ -42,6 +43,7 @@ using Forces = LawList<Spring,            //
                        StableNeoHookean, PlaneStableNeoHookean,          //
                        PolynomialNeoHookean, PlanePolynomialNeoHookean,  //
                        Stvk, PlaneStvk,                                  //
+                       PlaneCorotated,                                   //
                        KelvinVoigt, PlaneKelvinVoigt,                    //
                        Pressure, Traction>;
 

@@ -128,10 +128,10 @@ T minor_of(const Matrix<T, D>& f, int i, int j) {
 }
 
 /// V P(F) for each kind of solid; a, b are its constants, F_33 = 1 in the plane.
-enum class Kind { stvk, neo_hookean, stable, polynomial, viscous };
+enum class Kind { stvk, neo_hookean, stable, polynomial, corotated, viscous };
 template <Kind kind, class T, int D>
 Matrix<T, D> piola(const Matrix<T, D>& f, const Matrix<T, D>& rate, const T& a, const T& b) {
-  using std::log;
+  using std::log, std::sqrt;
   Matrix<T, D> cof, p;
   T j(0.0), i_1(D == 2 ? 1.0 : 0.0);
   for (int r = 0; r < D; ++r)
@@ -157,6 +157,14 @@ Matrix<T, D> piola(const Matrix<T, D>& f, const Matrix<T, D>& rate, const T& a, 
       for (int c = 0; c < D; ++c) {
         p[r][c] = a * trace * f[r][c];
         for (int k = 0; k < D; ++k) p[r][c] += T(2.0) * b * f[r][k] * e[k][c];
+      }
+  } else if constexpr (kind == Kind::corotated) {  // P = 2 mu (F - R) + lambda (tr R^T F - 2) R in the plane
+    const T cosine = f[0][0] + f[1][1], sine = f[1][0] - f[0][1];
+    const T length = sqrt(T(cosine * cosine + sine * sine));
+    for (int r = 0; r < 2; ++r)
+      for (int c = 0; c < 2; ++c) {
+        const T turn = (r == c ? cosine : r > c ? sine : T(-sine)) / length;
+        p[r][c] = T(2.0) * b * (f[r][c] - turn) + a * (length - T(2.0)) * turn;
       }
   } else {
     for (int r = 0; r < D; ++r)
@@ -255,6 +263,7 @@ TEST(OneElement, InThePlaneIsThatOfTheDeformationGradient) {
   expect_by_gradient<PlaneNeoHookean, Kind::neo_hookean>({lambda, mu}, lambda, mu);
   expect_by_gradient<PlaneStableNeoHookean, Kind::stable>({lambda, mu}, l, m);
   expect_by_gradient<PlanePolynomialNeoHookean, Kind::polynomial>({lambda, mu}, lambda + mu, mu);
+  expect_by_gradient<PlaneCorotated, Kind::corotated>({lambda, mu}, lambda, mu);
   expect_by_gradient<PlaneKelvinVoigt, Kind::viscous>({lambda, mu}, lambda, mu);
 }
 
