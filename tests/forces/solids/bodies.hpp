@@ -12,7 +12,7 @@
 #include "jetlag/motion/expansion.hpp"
 #include "problems/kuhn_mesh.hpp"
 
-namespace jetlag::testing {
+namespace jetlag::testing::solids {
 
 /// f(std::type_identity<L>{}) for the elastic laws of tetrahedra.
 template <class F>
@@ -41,4 +41,4 @@ System<double> body_of(const problems::TetrahedralMesh& mesh, const Lame<double>
   return system;
 }
 
-}  // namespace jetlag::testing
+}  // namespace jetlag::testing::solids

@@ -15,6 +15,8 @@
 #include "support/random.hpp"
 
 namespace jetlag::testing::conservation_test {
+using namespace solids;
+
 namespace {
 
 using Eigen::RowVector3d;

@@ -13,6 +13,8 @@
 #include "support/random.hpp"
 
 namespace jetlag::testing::homogeneous_states_test {
+using namespace solids;
+
 namespace {
 
 using problems::kuhn_mesh;

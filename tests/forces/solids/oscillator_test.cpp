@@ -12,6 +12,8 @@
 #include "jetlag/model/energy.hpp"
 
 namespace jetlag::testing::oscillator_test {
+using namespace solids;
+
 namespace {
 
 template <class L>
