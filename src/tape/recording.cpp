@@ -49,12 +49,22 @@ bool Recording::is_static(const Recorded& x) const {
   return tape_.nodes[x.node()].is_static;
 }
 
-Recorded Recording::operation(int rule, std::vector<int> operands, bool is_static) {
+namespace {
+std::pair<int, std::vector<int>> key_of(int rule, std::vector<int> operands) {
   if (rule == rule_id<Add> || rule == rule_id<Multiply>) std::ranges::sort(operands);  // they commute
-  const auto key = std::pair(rule, operands);
+  return {rule, std::move(operands)};
+}
+}  // namespace
+
+bool Recording::knows(int rule, std::vector<int> operands) const {
+  return operations_.contains(key_of(rule, std::move(operands)));
+}
+
+Recorded Recording::operation(int rule, std::vector<int> operands, bool is_static) {
+  const auto key = key_of(rule, std::move(operands));
   if (const auto found = operations_.find(key); found != operations_.end()) return {this, found->second};
-  const int node = append(
-      {.kind = Node::Kind::operation, .is_static = is_static, .rule = rule, .operands = std::move(operands)});
+  const int node =
+      append({.kind = Node::Kind::operation, .is_static = is_static, .rule = rule, .operands = key.second});
   operations_[key] = node;
   return {this, node};
 }

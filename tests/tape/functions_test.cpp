@@ -14,6 +14,7 @@
 #include "jetlag/series/comparisons.hpp"
 #include "jetlag/tape/recording.hpp"
 #include "support/close.hpp"
+#include "support/functions_of_two.hpp"
 #include "support/random.hpp"
 #include "support/recorded_names.hpp"
 #include "support/run_tape.hpp"
@@ -50,51 +51,11 @@ struct Function {
   }
 };
 
-/// Functions of x and y, 1/8 < x_0 < 7/8 < 1 < y_0 < 2; further out each leaves its range somewhere.
-const std::vector<Function> functions{
-    Function{"square root", [](const auto& x, const auto&) { return sqrt(x); }},
-    Function{"cbrt", [](const auto& x, const auto&) { return cbrt(x); }},
-    Function{"real power", [](const auto& x, const auto&) { return pow(x, 1.5); }},
-    Function{"negative power", [](const auto& x, const auto&) { return pow(x, -2); }},
-    Function{"power of a number", [](const auto& x, const auto&) { return pow(2.5, x); }},
-    Function{"power", [](const auto& x, const auto& y) { return pow(x, y); }},
-    Function{"exp", [](const auto& x, const auto&) { return exp(x); }},
-    Function{"expm1", [](const auto& x, const auto&) { return expm1(x); }},
-    Function{"log", [](const auto& x, const auto&) { return log(x); }},
-    Function{"log1p", [](const auto& x, const auto&) { return log1p(x); }},
-    Function{"log2", [](const auto& x, const auto&) { return log2(x); }},
-    Function{"log10", [](const auto& x, const auto&) { return log10(x); }},
-    Function{"sin", [](const auto& x, const auto&) { return sin(x); }},
-    Function{"cos", [](const auto& x, const auto&) { return cos(x); }},
-    Function{"tan", [](const auto& x, const auto&) { return tan(x); }},
-    Function{"asin", [](const auto& x, const auto&) { return asin(x); }},
-    Function{"acos", [](const auto& x, const auto&) { return acos(x); }},
-    Function{"atan", [](const auto& x, const auto&) { return atan(x); }},
-    Function{"sinh", [](const auto& x, const auto&) { return sinh(x); }},
-    Function{"cosh", [](const auto& x, const auto&) { return cosh(x); }},
-    Function{"tanh", [](const auto& x, const auto&) { return tanh(x); }},
-    Function{"asinh", [](const auto& x, const auto&) { return asinh(x); }},
-    Function{"acosh", [](const auto&, const auto& y) { return acosh(y); }},
-    Function{"atanh", [](const auto& x, const auto&) { return atanh(x); }},
-    Function{"erf", [](const auto& x, const auto&) { return erf(x); }},
-    Function{"erfc", [](const auto& x, const auto&) { return erfc(x); }},
-    Function{"hypot", [](const auto& x, const auto& y) { return hypot(x, y); }},
-    Function{"hypot with a number", [](const auto& x, const auto&) { return hypot(x, 3.0); }},
-    Function{"atan2", [](const auto& x, const auto& y) { return atan2(x, -y); }},
-    Function{"atan2 over a number", [](const auto& x, const auto&) { return atan2(x, 2.0); }},
-    Function{"atan2 of a number", [](const auto& x, const auto&) { return atan2(-2.0, x); }},
-    Function{"abs", [](const auto& x, const auto& y) { return abs(x - y); }},
-    Function{"min", [](const auto& x, const auto& y) { return min(x * y, 0.5); }},
-    Function{"max", [](const auto& x, const auto& y) { return max(x * y, x + 0.25); }},
-    Function{"select", [](const auto& x, const auto& y) { return select(x < 0.5, sqrt(x), y); }},
-    Function{"all together",
-             [](const auto& x, const auto& y) {
-               // factors in the order of their names: a tape multiplies the older by the newer
-               const auto a = asin(x), b = erf(y), c = atan2(log1p(x), acosh(y)), d = cbrt(hypot(x, y));
-               return tan(a * b) + c * d -
-                      select(x * y < 0.5, tanh(y), pow(y, x)) / (1.0 + expm1(max(x, 0.5)));
-             }},
-};
+const std::vector<Function> functions = [] {
+  std::vector<Function> all;
+  for_each_function([&](const char* name, auto f) { all.emplace_back(name, f); });
+  return all;
+}();
 
 Tape tape_of(const Function& f) {
   Recording recording;

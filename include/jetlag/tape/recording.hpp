@@ -82,8 +82,14 @@ class Recording {
   /// A new operation, or the one recorded before with the same rule and operands.
   Recorded operation(int rule, std::vector<int> operands, bool is_static);
 
+  /// Whether an operation has been recorded before.
+  bool knows(int rule, std::vector<int> operands) const;
+
   /// Two operations that read each other: a(u, b), b(u, a). Recorded as neighbours.
   std::pair<Recorded, Recorded> coupled(int rule_a, int rule_b, int u, bool is_static);
+
+  /// What has been recorded so far; operations come after what they read, but for coupled ones.
+  const std::vector<Node>& nodes() const { return tape_.nodes; }
 
   /// The tape that computes the outputs, without what they do not need.
   Tape finish(const std::vector<Recorded>& outputs);
