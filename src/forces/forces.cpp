@@ -6,13 +6,14 @@
 
 namespace jetlag {
 
-bool reads(const RecordedLaw& law, Input::Kind kind) {
-  return std::ranges::any_of(law.force.nodes, [kind](const Node& node) {
+bool reads(const Tape& tape, Input::Kind kind) {
+  return std::ranges::any_of(tape.nodes, [kind](const Node& node) {
     return node.kind == Node::Kind::input &&
            (node.input.kind == kind ||
             (kind == Input::Kind::position && node.input.kind == Input::Kind::separation));
   });
 }
+bool reads(const RecordedLaw& law, Input::Kind kind) { return reads(law.force, kind); }
 
 template RecordedLaw record_law<Spring>(int);
 template RecordedLaw record_law<ZeroLengthSpring>(int);

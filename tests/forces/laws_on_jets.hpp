@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "jetlag/forces/forces.hpp"
+#include "problems/from_energy.hpp"
 #include "support/close.hpp"
 #include "support/laws_of_many.hpp"
 
@@ -134,11 +135,21 @@ LawOnJets on_jets() {
   return law;
 }
 
+/// A law, and its energy as a law of its own.
+template <class L>
+void add_law(std::vector<LawOnJets>& all) {
+  all.push_back(on_jets<L>());
+  if constexpr (has_energy<L>) all.push_back(on_jets<problems::FromEnergy<L>>());
+}
+
 /// The register, and laws of many.
 inline std::vector<LawOnJets> all_laws() {
   std::vector<LawOnJets> all;
-  Forces::for_each([&]<class L>(std::type_identity<L>) { all.push_back(on_jets<L>()); });
-  all.insert(all.end(), {on_jets<Angle>(), on_jets<Bend>(), on_jets<Tetrahedron>(), on_jets<Anchors>()});
+  Forces::for_each([&]<class L>(std::type_identity<L>) { add_law<L>(all); });
+  add_law<Angle>(all);
+  add_law<Bend>(all);
+  add_law<Tetrahedron>(all);
+  add_law<Anchors>(all);
   return all;
 }
 

@@ -19,6 +19,24 @@
 //
 //     static std::array<Vector<T, D>, 3> forces(const Participants<T, D, 4>& p, ...);
 //
+// A law that has an `energy` and no forces gets them from it: minus its derivatives by the positions, which are recorded
+// once and then cost about what forces written by hand do (tape/derivative.hpp). A whole material is ten lines:
+//
+//   struct Angle {       // E = k/2 (cos - c)^2 of the angle at the last of three particles
+//     static constexpr const char* name = "angle";
+//     static constexpr int participants = 3;
+//     static constexpr std::array parameters{"stiffness", "cosine"};
+//     template <class T, int D>
+//     static T energy(const Participants<T, D, 3>& p, const T& k, const T& cosine) {
+//       const Vector<T, D> a = p.position[0] - p.position[2], b = p.position[1] - p.position[2];
+//       const T off = T(a.dot(b)) / (a.norm() * b.norm()) - cosine;
+//       return T(0.5) * k * off * off;
+//     }
+//   };
+//
+// Where an energy has no series, its forces have none, but for r / r: of E = k/2 |d|^2 they exist at d = 0. Choices in it are
+// those of the forces; |u| has the slope 0 where u is. Such an energy may depend on the time, but not on velocities.
+//
 // What else it may have:
 //
 //     static constexpr bool external = true;                // gives the force on each of two participants or more
@@ -73,6 +91,8 @@
 #include <utility>
 #include <vector>
 
+#include "jetlag/series/jet.hpp"
+#include "jetlag/tape/derivative.hpp"
 #include "jetlag/tape/fusion.hpp"
 #include "jetlag/tape/recording.hpp"
 #include "jetlag/tape/tape.hpp"
@@ -130,15 +150,56 @@ constexpr bool is_defined_in(int dimension) {
     return 1 <= dimension && dimension <= 3;
 }
 
-/// The forces that a law gives [N].
+namespace detail {
+
+/// Minus the derivatives of the energy by the positions: of recorded values from the recording, all at once; of numbers and
+/// series one by one, as coefficient 1 of the energy on jets that start along one axis each.
+template <ForceLaw L, class T, int D, class... C>
+std::array<Vector<T, D>, forces_given<L>> forces_from_energy(const Participants<T, D, L::participants>& p,
+                                                             const C&... c) {
+  std::array<Vector<T, D>, forces_given<L>> forces;
+  if constexpr (std::same_as<T, Recorded>) {
+    std::vector<Recorded> positions;
+    for (int i = 0; i < forces_given<L>; ++i)
+      positions.insert(positions.end(), p.position[i].data(), p.position[i].data() + D);
+    const Recorded energy = L::energy(p, c...);
+    const auto slopes = derivatives(*positions[0].recording(), -energy, positions);
+    for (int i = 0; i < forces_given<L>; ++i)
+      for (int axis = 0; axis < D; ++axis) forces[i][axis] = slopes[i * D + axis];
+  } else {
+    using Moved = Jet<T, 1>;
+    Participants<Moved, D, L::participants> moved;
+    for (int i = 0; i < L::participants; ++i) {
+      moved.position[i] = p.position[i].template cast<Moved>();
+      moved.velocity[i] = p.velocity[i].template cast<Moved>();
+      moved.mass[i] = Moved(p.mass[i]);
+    }
+    moved.time = Moved(p.time);
+    for (int i = 0; i < forces_given<L>; ++i)
+      for (int axis = 0; axis < D; ++axis) {
+        moved.position[i][axis][1] = T(1.0);
+        const Moved energy = L::energy(moved, Moved(c)...);
+        forces[i][axis] = -energy[1];
+        moved.position[i][axis][1] = T(0.0);
+      }
+  }
+  return forces;
+}
+
+}  // namespace detail
+
+/// The forces that a law gives [N], or that its energy gives.
 template <ForceLaw L, class T, int D, class... C>
 std::array<Vector<T, D>, forces_given<L>> forces_of(const Participants<T, D, L::participants>& p,
                                                     const C&... c) {
   if constexpr (requires { L::force(p, c...); }) {
     static_assert(forces_given<L> == 1, "a law that gives several forces has an array of them, `forces`");
     return {Vector<T, D>(L::force(p, c...))};
-  } else {
+  } else if constexpr (requires { L::forces(p, c...); }) {
     return L::forces(p, c...);
+  } else {
+    static_assert(requires { L::energy(p, c...); }, "a law has a `force`, `forces` or an `energy`");
+    return detail::forces_from_energy<L>(p, c...);
   }
 }
 
@@ -169,7 +230,9 @@ struct RecordedLaw {
   bool has_point_kinks() const { return kink != nullptr && participants > 1 && kink_components == dimension; }
 };
 
-/// Whether the force of a law depends on a kind of input; on positions also by their separations.
+/// Whether a tape reads a kind of input; positions also by their separations.
+bool reads(const Tape& tape, Input::Kind kind);
+/// Whether the force of a law depends on it.
 bool reads(const RecordedLaw& law, Input::Kind kind);
 
 namespace detail {
@@ -246,6 +309,16 @@ void add_bounds(RecordedLaw& law) {
   }
 }
 
+/// Whether L has forces of its own.
+template <ForceLaw L, int D>
+constexpr bool gives_forces = requires(const Participants<Recorded, D, L::participants>& p) {
+  []<std::size_t... I>(const auto& q, std::index_sequence<I...>)
+    requires(
+        requires { L::force(q, ((void)I, Recorded())...); } ||
+        requires { L::forces(q, ((void)I, Recorded())...); })
+  {}(p, std::make_index_sequence<L::parameters.size()>{});
+};
+
 template <ForceLaw L, int D>
 RecordedLaw record_in_dimension() {
   RecordedLaw law{L::name, D, L::participants, {L::parameters.begin(), L::parameters.end()}, {}, {}};
@@ -276,6 +349,9 @@ RecordedLaw record_in_dimension() {
         recording, [](const auto& p, const auto&... c) -> Recorded { return L::energy(p, c...); });
     law.energy = with_separations(recording.finish({e}));
     law.energy->parameters = all_parameters;
+    if (!gives_forces<L, D> && reads(*law.energy, Input::Kind::velocity))
+      throw std::invalid_argument(std::string(L::name) +
+                                  ": forces from an energy that depends on velocities");
   }
   return law;
 }
