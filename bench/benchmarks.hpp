@@ -8,7 +8,7 @@
 
 namespace jetlag::bench {
 
-void register_expansion();   // BM_Expansion/<problem>/<degree>
+void register_expansion();   // BM_Expansion/<problem>/<degree>, BM_FromEnergy/<law>/<how>
 void register_restart();     // BM_Restart/<problem>/<degree>, BM_RestartTape/<problem>/<degree>
 void register_adolc();       // BM_ExpansionAdolC/<problem>/<degree>, nothing without ADOL-C
 void register_engine();      // engine/<what>: one table of the engine's speed

@@ -143,6 +143,9 @@ void Reporter::print_ratios() {
     std::optional<double> value;
     Goal goal;
   };
+  const auto from_energy = [&](const std::string& law) {
+    return ratio("BM_FromEnergy/" + law + "/from_energy", "BM_FromEnergy/" + law + "/by_hand");
+  };
   const std::vector<Line> lines{
       {"ADOL-C / tape, degree 16", ratio("BM_ExpansionAdolC/cloth10/16", tape + "16"), {at_least, 15}},
       {"jets restarted / tape, degree 32", ratio("BM_Restart/cloth10/32", tape + "32"), {at_least, 4}},
@@ -160,10 +163,18 @@ void Reporter::print_ratios() {
       {"choices watched, degree 8", ratio(taut + "8/choices", taut + "8/none"), {at_most, 1.1}},
       {"choices watched, degree 16", ratio(taut + "16/choices", taut + "16/none"), {at_most, 1.1}},
       {"step: leapfrog / fixed:2", ratio("BM_Step/leapfrog/cloth10", "BM_Step/fixed:2/cloth10"), {none}},
+      {"from energy / by hand: spring", from_energy("spring"), {at_most, 1.05}},
+      {"gravity", from_energy("gravity"), {at_most, 1.05}},
+      {"softened gravity", from_energy("softened_gravity"), {at_most, 1.05}},
+      {"floor", from_energy("floor"), {at_most, 1.05}},
+      {"quadratic floor", from_energy("quadratic_floor"), {at_most, 1.05}},
+      {"angle", from_energy("angle"), {at_most, 1.05}},
+      {"tetrahedron", from_energy("tetrahedron"), {at_most, 1.05}},
   };
   if (std::ranges::none_of(lines, [](const Line& line) { return line.value.has_value(); })) return;
   std::ostream& out = GetOutputStream();
-  out << "\nRatios of this run, cloth10 (" << kernels<double>().instruction_set << ")\n";
+  out << "\nRatios of this run, cloth10 where nothing else is said (" << kernels<double>().instruction_set
+      << ")\n";
   for (const Line& line : lines) {
     out << "  " << std::left << std::setw(42) << line.what << std::right;
     if (line.value)
