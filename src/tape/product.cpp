@@ -163,12 +163,15 @@ Product sum_of(Recording& recording, std::vector<Product> products) {
   if (different.empty()) return {.number = 0.0};
   if (different.size() == 1) return different.front();
   const Product common = common_factor(different);
-  const auto positive =
-      std::ranges::find_if(different, [](const Product& product) { return product.number > 0; });
-  if (positive != different.end()) std::swap(different.front(), *positive);  // b - a rather than -a + b
+  // b - a rather than -a + b; other numbers take their sign along, and sums of several terms are one operation.
+  const auto is_taken_away = [](const Product& product) {
+    return product.number == -1.0 && product.constant.is_number(1.0);
+  };
+  const auto first = std::ranges::find_if_not(different, is_taken_away);
+  if (first != different.end()) std::swap(different.front(), *first);
   Recorded sum = value_of(recording, different.front());
   for (const Product& product : different | std::views::drop(1))
-    sum = product.number > 0 ? sum + value_of(recording, product) : sum - value_of(recording, -product);
+    sum = is_taken_away(product) ? sum - value_of(recording, -product) : sum + value_of(recording, product);
   return common *
          (recording.is_static(sum) ? Product{.constant = sum} : Product{.powers = {{sum.node(), 1.0}}});
 }
