@@ -13,6 +13,8 @@ function(jetlag_own_target target)
       target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized)  # instrumented code misleads it
     endif()
   endif()
+  # TBB has it of those who link it in Debug; a precompiled header that targets share wants the same of all of them.
+  target_compile_definitions(${target} PRIVATE $<$<CONFIG:Debug>:TBB_USE_DEBUG>)
   if(JETLAG_WERROR)
     target_compile_options(${target} PRIVATE -Werror)
   endif()
