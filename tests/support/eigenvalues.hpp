@@ -10,7 +10,8 @@ namespace jetlag::testing {
 /// The largest |eigenvalue| of any square matrix.
 double spectral_radius(const Eigen::MatrixXd& matrix);
 
-/// The largest eigenvalue of a symmetric matrix, of which the lower triangle is read.
+/// Those of a symmetric matrix, of which the lower triangle is read, ascending; and the largest.
+Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& symmetric);
 double largest_eigenvalue(const Eigen::MatrixXd& symmetric);
 
 }  // namespace jetlag::testing
