@@ -4,6 +4,7 @@
 
 #include "jetlag/control/courant.hpp"
 #include "jetlag/control/fixed_step.hpp"
+#include "jetlag/control/frequency_bound.hpp"
 #include "jetlag/control/halve_double.hpp"
 #include "jetlag/control/jorba_zou.hpp"
 #include "jetlag/control/last_two.hpp"

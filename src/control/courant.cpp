@@ -3,73 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
 
+#include "control/laws_with.hpp"
 #include "jetlag/base/text.hpp"
+#include "jetlag/motion/expansion.hpp"
 
 namespace jetlag {
-
-namespace {
-
-/// f(particles, value) for each element whose law has this function of its parameters.
-template <class F>
-void for_each_with(const Model<double>& model, RecordedLaw::OfParameters RecordedLaw::* function, F use) {
-  for (const auto& law : model.laws()) {
-    const auto& [recorded, particles, parameters] = law->elements();
-    if (recorded.*function == nullptr) continue;
-    for (const int e : law->all())
-      use(law->particles_of(e), (recorded.*function)(parameters.data() + e * recorded.parameters.size()));
-  }
-}
-
-}  // namespace
-
-std::vector<double> frequency_bounds(const Model<double>& model) {
-  std::vector<double> load(model.particles(), 0.0);  // sum of stiffness / mass at a particle
-  for_each_with(model, &RecordedLaw::stiffness, [&](auto particles, double k) {
-    for (const int i : particles) load[i] += k * model.inverse_mass(i);
-  });
-  std::vector<double> bound(model.particles(), 0.0);
-  for_each_with(model, &RecordedLaw::stiffness, [&](auto particles, double) {
-    double sum = 0;
-    for (const int i : particles) sum += load[i];
-    for (const int i : particles) bound[i] = std::max(bound[i], sum);
-  });
-  for (double& b : bound) b = std::sqrt(b);
-  return bound;
-}
-
-double frequency_bound(const Model<double>& model) {
-  const auto bounds = frequency_bounds(model);
-  return bounds.empty() ? 0.0 : *std::ranges::max_element(bounds);
-}
-
-namespace {
-
-/// The first law that acts on positions, has no stiffness, and of which `which` is true; null if there is none.
-template <class F>
-const RecordedLaw* first_without_stiffness(const Model<double>& model, F which) {
-  for (const auto& law : model.laws()) {
-    const RecordedLaw& recorded = law->elements().law;
-    if (law->count() > 0 && recorded.stiffness == nullptr && reads(recorded, Input::Kind::position) &&
-        which(recorded))
-      return &recorded;
-  }
-  return nullptr;
-}
-
-}  // namespace
-
-std::string unbounded_force(const Model<double>& model) {
-  const RecordedLaw* law = first_without_stiffness(model, [](const auto&) { return true; });
-  return law == nullptr ? "" : law->name;
-}
-
-void require_bounded(const Model<double>& model) {
-  if (const auto* law = first_without_stiffness(model, [](const auto& of) { return !of.unbounded; }))
-    throw std::invalid_argument("courant: no stiffness is known of " + law->name +
-                                ", so that nothing bounds the step; leave courant out");
-}
 
 double common_damping(const Model<double>& model) {
   std::vector<double> rate(model.particles(), 0.0);
@@ -88,11 +32,11 @@ double courant_limit(const TruncationLaw& law, VelocitySeries velocity, double o
   return omega * band_stability_limit(law, velocity, {omega, damping});
 }
 
-std::vector<double> courant_steps_of_particles(const Model<double>& model, const TruncationLaw& law,
-                                               VelocitySeries velocity, double safety) {
-  require_bounded(model);
-  const double damping = common_damping(model);
-  const std::vector<double> omega = frequency_bounds(model);
+namespace {
+
+/// omega: shape (particles).
+std::vector<double> steps_of(const std::vector<double>& omega, double damping, const TruncationLaw& law,
+                             VelocitySeries velocity, double safety) {
   const double fastest = omega.empty() ? 0.0 : *std::ranges::max_element(omega);
   std::map<int, double> limits;  // by octave below the fastest
   std::vector<double> steps;
@@ -114,6 +58,23 @@ std::vector<double> courant_steps_of_particles(const Model<double>& model, const
   return steps;
 }
 
+}  // namespace
+
+std::vector<double> courant_steps_of_particles(const Model<double>& model, const TruncationLaw& law,
+                                               VelocitySeries velocity, double safety) {
+  require_bounded(model);
+  return steps_of(frequency_bounds(model), common_damping(model), law, velocity, safety);
+}
+
+std::vector<double> courant_steps_of_particles(const Model<double>& model, const State<double>& state,
+                                               const TruncationLaw& law, VelocitySeries velocity,
+                                               double safety) {
+  std::vector<double> omega = frequency_bounds(model, state);
+  if (bounds_need_state(model))
+    for (double& w : omega) w *= courant_growth;
+  return steps_of(omega, common_damping(model), law, velocity, safety);
+}
+
 void require_courant(double safety, double limit) {
   if (!(safety > 0.0 && safety <= 1.0))
     throw std::invalid_argument("courant must be in (0, 1], got " + shown(safety));
@@ -126,10 +87,73 @@ void require_courant(double safety, double limit) {
         "their own series");
 }
 
+// ---- the control -----------------------------------------------------------------------------------------
+
+namespace {
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+}
+
+struct Courant::OfStates {
+  FrequencyMeter meter;
+  TruncationLaw law;
+  VelocitySeries velocity;
+  double damping, safety;
+  int refresh;
+  int left = 0;                 // steps until the next bound
+  double omega = 0, limit = 0;  // for which the limit is known, 0: not yet
+
+  /// The longest step for frequencies up to w. With damping it takes long to find: one for higher frequencies serves for
+  /// those somewhat below.
+  double longest(double w) {
+    if (damping == 0 ? limit == 0 : !(0.8 * omega <= w && w <= omega)) {
+      omega = w;
+      limit = courant_limit(law, velocity, omega, damping);
+      require_courant(safety, limit);
+    }
+    return safety * limit / (damping == 0 ? w : omega);
+  }
+};
+
 Courant::Courant(std::unique_ptr<Control> inner, double safety, double limit, double omega)
-    : inner_(std::move(inner)),
-      largest_step_(omega > 0 ? safety * limit / omega : std::numeric_limits<double>::infinity()) {
+    : inner_(std::move(inner)), largest_step_(omega > 0 ? safety * limit / omega : unlimited) {
   require_courant(safety, limit);
+}
+
+Courant::Courant(std::unique_ptr<Control> inner, double safety, const Model<double>& model,
+                 const TruncationLaw& law, VelocitySeries velocity, int refresh)
+    : inner_(std::move(inner)), largest_step_(unlimited) {
+  if (refresh < 1)
+    throw std::invalid_argument("courant_refresh must be >= 1, got " + std::to_string(refresh));
+  OfStates of_states{FrequencyMeter(model), law, velocity, common_damping(model), safety, refresh};
+  if (bounds_need_state(model)) {
+    if (of_states.damping == 0) of_states.longest(1.0);  // refuses what is unstable
+    require_courant(safety, 1.0);
+    of_states_ = std::make_unique<OfStates>(std::move(of_states));
+  } else if (const double omega = frequency_bound(model); omega > 0) {
+    largest_step_ = of_states.longest(omega);
+  }
+}
+
+Courant::Courant(const Courant& other)
+    : Control(other),
+      inner_(other.inner_->clone()),
+      largest_step_(other.largest_step_),
+      of_states_(other.of_states_ ? std::make_unique<OfStates>(*other.of_states_) : nullptr) {}
+
+Courant::~Courant() = default;
+
+std::unique_ptr<Control> Courant::clone() const { return std::unique_ptr<Control>(new Courant(*this)); }
+
+/// A bound that is not finite leaves the last one: the series is not finite either, and says so.
+double Courant::propose(const Prospect& prospect) {
+  if (of_states_ && of_states_->left-- == 0) {
+    of_states_->left = of_states_->refresh - 1;
+    const Expansion<double>& series = prospect.series;
+    const double omega =
+        courant_growth * of_states_->meter({series.time(), series.position(0), series.velocity(0)});
+    if (std::isfinite(omega)) largest_step_ = omega > 0 ? of_states_->longest(omega) : unlimited;
+  }
+  return std::min(inner_->propose(prospect), largest_step_);
 }
 
 }  // namespace jetlag

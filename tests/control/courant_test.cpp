@@ -16,6 +16,7 @@
 
 #include "jetlag/control/fixed_step.hpp"
 #include "jetlag/forces/drag.hpp"
+#include "jetlag/forces/gravity.hpp"
 #include "jetlag/forces/spring.hpp"
 #include "jetlag/forces/uniform_field.hpp"
 #include "jetlag/integrators/explicit/leapfrog.hpp"
@@ -269,9 +270,88 @@ TEST(Courant, CropsOnlyStepsThatAreTooLong) {
   EXPECT_EQ(cropped_to(0.5, 3.0, 0.0, 10.0)->propose({series, law}), 10.0);  // nothing oscillates
 }
 
+/// Two particles that fly apart, at a distance of 1 m now. omega^2 = 3 c d^2 (1/m_0 + 1/m_1): 6 at d = 1.
+Problem flight(double speed) {
+  Problem scene{System<double>(2, {1.0, 1.0}), {0.0, Coordinates<double>(2, 2), Coordinates<double>(2, 2)}};
+  scene.start.position << 0, 0, 0.6, 0.8;
+  scene.start.velocity << 0, 0, 0.6 * speed, 0.8 * speed;
+  scene.system.add<Hardening>({{0, 1}}, {{1.0}});
+  return scene;
+}
+
+TEST(Courant, TakesTheBoundOfAStateAnewAfterSomeSteps) {
+  const TruncationLaw law = fixed_degree(4);
+  const double limit = undamped_limit(law);
+  Problem scene = flight(0.0);
+  Courant control(std::make_unique<FixedStep>(10.0), 0.5, scene.system, law, VelocitySeries::own_series, 3);
+  Expansion<double> series(scene.system);
+  double distance = 1, at_bound = 1;
+  for (int n = 0; n < 9; ++n) {
+    scene.start.position *= 1.25;  // before the first step, too
+    distance *= 1.25;
+    if (n % 3 == 0) at_bound = distance;
+    series.start(scene.start, n == 6 ? 0.25 : 1.0);  // the unit of time is of no account
+    const double truth = 0.5 * limit / (1.05 * std::sqrt(6.0) * at_bound);
+    const auto copy = control.clone();
+    EXPECT_NEAR(control.propose({series, law}), truth, 1e-14 * truth);  // some 50 roundings
+    EXPECT_NEAR(copy->propose({series, law}), truth, 1e-14 * truth);    // goes on where the first one was
+  }
+}
+
+TEST(Courant, ShortensStepsAsALawStiffens) {
+  // 200 steps; the spring is 4 m long when it turns: v^2/4 = d^4/4, v = 16 m/s.
+  const Problem scene = flight(16.0);
+  const TruncationLaw law = fixed_degree(4);
+  Lockstep lockstep(taylor(scene.system, 4,
+                           std::make_unique<Courant>(std::make_unique<FixedStep>(10.0), 0.1, scene.system,
+                                                     law, VelocitySeries::own_series, 1)));
+  State<double> state = scene.start;
+  RunOptions options;
+  options.max_steps = 200;
+  std::vector<double> steps;
+  options.observer.after_step = [&](const StepView& step) {
+    steps.push_back(step.end() - step.begin());
+    return true;
+  };
+  lockstep.run(state, std::numeric_limits<double>::infinity(), options);
+  EXPECT_LT(*std::ranges::min_element(steps), steps.front() / 3.5);
+}
+
+TEST(Courant, IsThatOfAllStatesWhereEveryLawHasAStiffness) {
+  const Problem scene = dumbbell(4.0, 2.0, 2.0);  // omega = 2
+  Expansion<double> series(scene.system);
+  series.start(scene.start);
+  const TruncationLaw law = fixed_degree(4);
+  Courant control(std::make_unique<FixedStep>(10.0), 0.5, scene.system, law, VelocitySeries::own_series);
+  EXPECT_EQ(control.propose({series, law}), 0.5 * undamped_limit(law) / 2.0);
+}
+
+TEST(Courant, GivesParticlesStepsOfAState) {
+  Problem scene = flight(0.0);
+  const TruncationLaw law = fixed_degree(4);
+  const auto steps = [&](const State<double>& state) {
+    return courant_steps_of_particles(scene.system, state, law, VelocitySeries::own_series, 0.5);
+  };
+  const double truth = 0.5 * undamped_limit(law) / (1.05 * std::sqrt(6.0));
+  for (const double step : steps(scene.start)) EXPECT_NEAR(step, truth, 1e-14 * truth);  // some 50 roundings
+  const Problem springs = spring_cube(1);
+  EXPECT_EQ(courant_steps_of_particles(springs.system, springs.start, law, VelocitySeries::own_series, 0.5),
+            courant_steps_of_particles(springs.system, law, VelocitySeries::own_series, 0.5));
+}
+
 TEST(Courant, RefusesWhatCannotBeStable) {
   EXPECT_THAT([] { cropped_to(0.5, undamped_limit(fixed_degree(6)), 1.0, 1.0); },
               ThrowsMessage<std::invalid_argument>(HasSubstr("unstable")));
+  const auto of_states = [](int degree, double safety, int refresh) {
+    const Problem scene = flight(0.0);
+    Courant(std::make_unique<FixedStep>(1.0), safety, scene.system, fixed_degree(degree),
+            VelocitySeries::own_series, refresh);
+  };
+  EXPECT_NO_THROW(of_states(4, 0.5, 1));
+  EXPECT_THAT([&] { of_states(6, 0.5, 1); }, ThrowsMessage<std::invalid_argument>(HasSubstr("unstable")));
+  EXPECT_THROW(of_states(4, 1.5, 1), std::invalid_argument);
+  EXPECT_THAT([&] { of_states(4, 0.5, 0); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("courant_refresh must be >= 1, got 0")));
   for (double safety : {0.0, -1.0, 1.5, std::numeric_limits<double>::quiet_NaN()})
     EXPECT_THAT([safety] { cropped_to(safety, 2.0, 1.0, 1.0); },
                 ThrowsMessage<std::invalid_argument>(HasSubstr("courant must be in (0, 1]")));

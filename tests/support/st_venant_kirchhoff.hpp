@@ -123,15 +123,19 @@ inline KuhnBox kuhn_box(const std::array<int, 3>& cells, const std::array<double
 }
 
 /// Such a body of Young's modulus [Pa], Poisson's ratio and density [kg/m^3]; each tetrahedron gives a quarter of its mass to
-/// each of its vertices.
-inline System<double> elastic(const KuhnBox& box, double young, double poisson, double density) {
+/// each of its vertices. stiffer: how many times stiffer each tetrahedron is; empty: none.
+inline System<double> elastic(const KuhnBox& box, double young, double poisson, double density,
+                              const std::vector<double>& stiffer = {}) {
   const double lambda = young * poisson / ((1 + poisson) * (1 - 2 * poisson)),
                mu = young / (2 * (1 + poisson));
   std::vector<double> mass(box.vertices.size(), 0.0);
   std::vector<std::array<double, 15>> parameters;
-  for (const auto& t : box.tetrahedra) {
+  for (std::size_t e = 0; e < box.tetrahedra.size(); ++e) {
+    const auto& t = box.tetrahedra[e];
+    const double times = stiffer.empty() ? 1.0 : stiffer[e];
     parameters.push_back(StVenantKirchhoff::parameters_of(
-        lambda, mu, {box.vertices[t[0]], box.vertices[t[1]], box.vertices[t[2]], box.vertices[t[3]]}));
+        times * lambda, times * mu,
+        {box.vertices[t[0]], box.vertices[t[1]], box.vertices[t[2]], box.vertices[t[3]]}));
     for (const int i : t) mass[i] += density * parameters.back()[2] / 4;
   }
   System<double> system(3, mass);

@@ -73,7 +73,7 @@
 //   - where `energy` exists, force = -d energy / d position;
 //   - `stiffness` bounds the eigenvalues of -d force_i / d x_i of each participant i, in any state, or in those that its
 //     comment names. Then no mode of one element is faster than  omega^2 = k sum_i 1/m_i.  A law that acts on positions
-//     and has none is not bounded;
+//     and has none is bounded at one state at a time, by its tangent (control/frequency_bound.hpp);
 //   - `damping` is of a law of one participant: its force is -c v and something that does not depend on v;
 //   - where `kink` exists, it has 1 to 3 components, vanishes where no series of the force goes on, comes out on the other
 //     side turned round by more than a right angle, and changes by no more than the ways of the participants together,
