@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "jetlag/base/text.hpp"
-#include "jetlag/control/courant.hpp"
+#include "jetlag/control/frequency_bound.hpp"
 #include "jetlag/motion/expansion.hpp"
 #include "program/commands.hpp"
 #include "program/scene_arguments.hpp"
@@ -41,10 +41,13 @@ int check(const SceneArguments& arguments) {
   for (const auto& group : system.elements())
     std::printf("  force       %-14s %zu element%s\n", group.law.name.c_str(), group.count(),
                 group.count() == 1 ? "" : "s");
-  const std::string unbounded = unbounded_force(system);
-  if (const double omega = frequency_bound(system); omega > 0)
-    std::printf("  stiffness   frequencies up to %.4g rad/s; leapfrog is stable below a step of %.4g s%s\n",
-                omega, 2 / omega, unbounded.empty() ? "" : (", " + unbounded + " not counted").c_str());
+  const auto uncounted = std::ranges::find_if(
+      system.elements(), [](const auto& group) { return group.count() > 0 && group.law.unbounded; });
+  if (const double omega = FrequencyMeter(system)(scene.initial); omega > 0)
+    std::printf(
+        "  stiffness   frequencies up to %.4g rad/s%s; leapfrog is stable below a step of %.4g s%s\n", omega,
+        bounds_need_state(system) ? " at the start" : "", 2 / omega,
+        uncounted == system.elements().end() ? "" : (", " + uncounted->law.name + " not counted").c_str());
   const int orders = std::max(1, static_cast<int>(scene.mean_orders + 0.5));
   Expansion<double> series(system, orders + 1);
   series.start(scene.initial);

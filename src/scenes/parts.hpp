@@ -41,20 +41,22 @@ SceneKeys truncation_keys();
 
 /// "control" of a series, for a law of its integrator; the keys of all of them.
 std::unique_ptr<Control> read_control(const Value& control, const TruncationLaw& law, VelocitySeries velocity,
-                                      const System<double>& system);
+                                      const System<double>& system, const State<double>& start);
 SceneKeys control_keys();
 /// Refuses a control that reads the variance of a law which has none beforehand, as a coupled sum.
 void require_control_for(const Truncation& law, const Value& control);
 /// "max_step" [s], infinite where it is left out.
 double read_max_step(const Value& control);
-/// The fraction of the Courant limit, if asked for, and the fastest frequency it refers to.
-std::optional<std::pair<double, double>> read_courant(const Value& control, const System<double>& system);
+/// The fraction of the Courant limit, if asked for, and a bound of the fastest frequency at the start.
+std::optional<std::pair<double, double>> read_courant(const Value& control, const System<double>& system,
+                                                      const State<double>& start);
 
 /// A list of particles: at least one, none fixed, none twice. Shape (particles).
 std::vector<bool> read_partition(const Value& list, const System<double>& system);
 
 /// "implicit" of explicit_implicit with steps `step` [s]: a list of particles or "courant". Shape (particles).
-std::vector<bool> read_implicit_particles(const Value& integrator, const System<double>& system, double step);
+std::vector<bool> read_implicit_particles(const Value& integrator, const System<double>& system,
+                                          const State<double>& start, double step);
 
 /// "integrator", "control" and "schedule" together.
 struct Method {
@@ -67,7 +69,8 @@ struct Method {
   int largest_degree = 0;
   bool at_least = false;  // mean_orders is a lower bound
 };
-Method read_method(const Value& scene, std::shared_ptr<const System<double>> system, std::uint64_t seed);
+Method read_method(const Value& scene, std::shared_ptr<const System<double>> system,
+                   const State<double>& start, std::uint64_t seed);
 /// The types of integrators and of schedules that exist; each but `lockstep` has a record.
 std::vector<std::string> integrator_types();
 std::vector<std::string> schedule_types();

@@ -93,7 +93,7 @@ SceneKeys control_keys() {
   for (const ControlRecord& record : control_records()) choices.push_back({record.name, record.keys});
   return joined({{choice("control.type", names_of(control_records()), "required")},
                  merged("control", choices),
-                 {method_keys::courant}});
+                 {method_keys::courant, method_keys::courant_refresh}});
 }
 
 void require_control_for(const Truncation& law, const Value& control) {
@@ -108,24 +108,27 @@ void require_control_for(const Truncation& law, const Value& control) {
                  "variance of the law");
 }
 
-std::optional<std::pair<double, double>> read_courant(const Value& control, const System<double>& system) {
+std::optional<std::pair<double, double>> read_courant(const Value& control, const System<double>& system,
+                                                      const State<double>& start) {
   const auto courant = control.find("courant");
   if (!courant) return std::nullopt;
-  const double safety = courant->number(fraction), omega = frequency_bound(system);
+  const double safety = courant->number(fraction),
+               omega = checked(*courant, [&] { return frequency_bound(system, start); });
   if (omega == 0) courant->refuse("left out: no force of this scene has a stiffness that limits the step");
-  checked(*courant, [&] { require_bounded(system); });
   return std::pair(safety, omega);
 }
 
 std::unique_ptr<Control> read_control(const Value& control, const TruncationLaw& law, VelocitySeries velocity,
-                                      const System<double>& system) {
+                                      const System<double>& system, const State<double>& start) {
   auto inner = named(control_records(), control.at("type").text()).read(control, law);
-  const auto courant = read_courant(control, system);
+  const auto courant = read_courant(control, system, start);
   if (!courant) return inner;
+  const auto refresh = static_cast<int>(
+      control.at("courant_refresh", Courant::usual_refresh).integer(1, std::numeric_limits<int>::max()));
   return checked(control.at("courant"), [&] {
     const auto [safety, omega] = *courant;
-    return std::make_unique<Courant>(std::move(inner), safety,
-                                     courant_limit(law, velocity, omega, common_damping(system)), omega);
+    require_courant(safety, courant_limit(law, velocity, omega, common_damping(system)));
+    return std::make_unique<Courant>(std::move(inner), safety, system, law, velocity, refresh);
   });
 }
 

@@ -96,11 +96,12 @@ Stepper read_inner(const StepperArguments& arguments) {
       names_where([](const MethodRecord& one) { return one.stepper != nullptr && !one.draws; })));
   check_integrator(inner, record);
   Document any_length(R"({"type": "fixed", "step": 1e300})", "control");
-  return record.stepper(
-      {inner, any_length.root("control"), arguments.system, arguments.seed, arguments.threads});
+  return record.stepper({inner, any_length.root("control"), arguments.system, arguments.seed,
+                         arguments.threads, arguments.start});
 }
 
-Method read_method(const Value& scene, std::shared_ptr<const System<double>> system, std::uint64_t seed) {
+Method read_method(const Value& scene, std::shared_ptr<const System<double>> system,
+                   const State<double>& start, std::uint64_t seed) {
   const Value integrator = scene.at("integrator");
   require_object(integrator);
   const MethodRecord& by_type = method_record(integrator.at("type").one_of(integrator_types()));
@@ -120,10 +121,10 @@ Method read_method(const Value& scene, std::shared_ptr<const System<double>> sys
   if (record.stepper != nullptr) {
     const Value control = scene.at("control");
     check_control(control, record);
-    method = in_lockstep(record, {integrator, control, std::move(system), seed, threads});
+    method = in_lockstep(record, {integrator, control, std::move(system), seed, threads, start});
   } else {
     if (of_integrator(record)) check_control(scene.at("control"), record);
-    method = record.own_schedule({scene, integrator, schedule, std::move(system), seed, threads});
+    method = record.own_schedule({scene, integrator, schedule, std::move(system), seed, threads, start});
   }
   const auto most = std::numeric_limits<std::int64_t>::max();
   method.max_steps = static_cast<std::uint64_t>(

@@ -19,15 +19,16 @@ std::vector<bool> read_partition(const Value& list, const System<double>& system
 }
 
 std::vector<bool> read_implicit_particles(const Value& integrator, const System<double>& system,
-                                          double step) {
+                                          const State<double>& start, double step) {
   const Value implicit = integrator.at("implicit");
   if (!implicit.is_string()) return read_partition(implicit, system);
   if (implicit.text() != "courant") implicit.refuse("a list of particles, or \"courant\"");
   if (integrator.path() != "integrator")
     implicit.refuse("a list of particles inside another method, whose steps are not known beforehand");
-  if (frequency_bound(system) == 0)
+  const auto beyond = checked(implicit, [&] { return beyond_courant(system, start, step); });
+  if (frequency_bound(system, start) == 0)
     implicit.refuse("a list of particles: no force of this scene has a stiffness that limits the step");
-  return beyond_courant(system, step);
+  return beyond;
 }
 
 }  // namespace jetlag

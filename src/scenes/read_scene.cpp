@@ -102,7 +102,7 @@ Scene read(Document& document, const std::filesystem::path& folder) {
   for (std::size_t i = 0; i < particles.fixed.size(); ++i)
     if (particles.fixed[i]) system->fix(static_cast<int>(i));
   auto lines = read_forces(value.at("forces", JsonText{"[]"}), particles, *system);
-  Method method = read_method(value, system, scene.seed);
+  Method method = read_method(value, system, particles.state, scene.seed);
 
   require_memory(*system, static_cast<int>(method.largest_degree), value.at("particles"));
   require_energy(*system, particles.state, value.at("particles"));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "jetlag/base/text.hpp"
 #include "jetlag/control/courant.hpp"
@@ -55,7 +56,11 @@ ElementSteps equal_steps(const System<double>& system, double step) {
   return steps;
 }
 
-ElementSteps courant_steps(const System<double>& system, double fraction) {
+namespace {
+
+/// of_elements: omega_e of those that have no stiffness, by group; empty where it is not known.
+ElementSteps steps_of(const System<double>& system, const std::vector<std::vector<double>>& of_elements,
+                      double fraction) {
   if (!(fraction > 0 && fraction <= 1))
     throw std::invalid_argument("courant must be in (0, 1], got " + shown(fraction));
   constexpr double unlimited = std::numeric_limits<double>::infinity();
@@ -63,13 +68,19 @@ ElementSteps courant_steps(const System<double>& system, double fraction) {
   double longest = 0;
   for (std::size_t g = 0; g < steps.size(); ++g) {
     const auto& group = system.elements()[g];
-    if (group.count() > 0 && group.law.stiffness == nullptr && !group.law.force.is_static())
+    const bool known =
+        group.law.stiffness != nullptr || group.law.force.is_static() ||
+        (!of_elements.empty() && !group.law.unbounded && reads(group.law, Input::Kind::position));
+    if (group.count() > 0 && !known)
       throw std::invalid_argument(
           "courant: no stiffness is known of " + group.law.name +
           ", so that nothing bounds its step; leave courant out and give a step for each "
           "force (control.step)");
     for (std::size_t e = 0; e < steps[g].size(); ++e)
-      if (const double omega = std::sqrt(squared_frequency(system, group, e)); omega > 0) {
+      if (const double omega = group.law.stiffness != nullptr || of_elements.empty()
+                                   ? std::sqrt(squared_frequency(system, group, e))
+                                   : of_elements[g][e];
+          omega > 0) {
         steps[g][e] = fraction * 2.0 / omega;
         longest = std::max(longest, steps[g][e]);
       }
@@ -88,11 +99,30 @@ ElementSteps courant_steps(const System<double>& system, double fraction) {
   return steps;
 }
 
-ElementSteps without_resonance(const System<double>& system, ElementSteps steps) {
-  const NestedSteps nested(system, shortest(steps));
+ElementSteps nested_steps(double omega, ElementSteps steps) {
+  const NestedSteps nested(omega, shortest(steps));
   for (auto& group : steps)
     for (double& step : group) step = nested(step);
   return steps;
+}
+
+}  // namespace
+
+ElementSteps courant_steps(const System<double>& system, double fraction) {
+  return steps_of(system, {}, fraction);
+}
+
+ElementSteps courant_steps(const System<double>& system, const State<double>& state, double fraction) {
+  if (!bounds_need_state(system)) return courant_steps(system, fraction);
+  return steps_of(system, frequency_bounds_of_elements(system, state), fraction);
+}
+
+ElementSteps without_resonance(const System<double>& system, ElementSteps steps) {
+  return nested_steps(frequency_bound(system), std::move(steps));
+}
+
+ElementSteps without_resonance(const System<double>& system, const State<double>& state, ElementSteps steps) {
+  return nested_steps(frequency_bound(system, state), std::move(steps));
 }
 
 }  // namespace jetlag

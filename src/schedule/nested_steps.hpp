@@ -9,21 +9,18 @@
 #include <string>
 
 #include "jetlag/base/text.hpp"
-#include "jetlag/control/courant.hpp"
 
 namespace jetlag {
 
-/// The shortest step h times powers of two, within the limit of leapfrog,  2^l h omega < 2,  omega =
-/// frequency_bound(system): the fastest motion may be due to elements of the longest step alone; and with  (2^l h)
+/// The shortest step h times powers of two, within the limit of leapfrog,  2^l h omega < 2,  omega a
+/// bound of all frequencies: the fastest motion may be due to elements of the longest step alone; and with  (2^l h)
 /// omega_h <= most,  omega_h = 2/h asin(h omega / 2).  Without the second bound that is 2^(l+1) asin(h omega / 2) < 2 pi/3
 /// for l > 0.
 class NestedSteps {
  public:
-  /// shortest: h [s]. Throws std::invalid_argument where it is beyond 2/omega, and where no element has a stiffness.
-  NestedSteps(const System<double>& system, double shortest,
-              double most = std::numeric_limits<double>::infinity())
+  /// omega: a bound of the fastest frequency [rad/s]; shortest: h [s]. Throws std::invalid_argument where it is beyond 2/omega, and where no element has a stiffness.
+  NestedSteps(double omega, double shortest, double most = std::numeric_limits<double>::infinity())
       : shortest_(shortest), longest_(shortest) {
-    const double omega = frequency_bound(system);
     if (omega == 0)
       throw std::invalid_argument(
           "without_resonance: no element has a stiffness, so that no frequency is known");

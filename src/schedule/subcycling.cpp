@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include "jetlag/control/courant.hpp"
 #include "jetlag/integrators/accelerations.hpp"
@@ -64,9 +65,10 @@ Subcycling::Subcycling(const System<double>& system, const ParticleSteps& steps)
   }
 }
 
-ParticleSteps courant_steps_of_particles(const System<double>& system, double fraction) {
-  require_courant(fraction, 2.0);
-  const std::vector<double> omega = frequency_bounds(system);
+namespace {
+
+/// omega: shape (particles).
+ParticleSteps steps_of(const std::vector<double>& omega, double fraction) {
   ParticleSteps steps;
   double longest = 0;
   for (const double w : omega) {
@@ -75,20 +77,43 @@ ParticleSteps courant_steps_of_particles(const System<double>& system, double fr
   }
   if (longest == 0)
     throw std::invalid_argument("courant: no particle has a stiffness that limits its step; give a step");
-  require_bounded(system);
   for (double& step : steps)
     if (step == 0) step = longest;
   return steps;
 }
 
-ParticleSteps without_resonance(const System<double>& system, ParticleSteps steps) {
+ParticleSteps nested_steps(const System<double>& system, double omega, ParticleSteps steps) {
   require_steps(system, steps);
   double shortest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < system.particles(); ++i)
     if (!system.fixed()[i]) shortest = std::min(shortest, steps[i]);
-  const NestedSteps nested(system, shortest, 0.5 * std::numbers::pi);
+  const NestedSteps nested(omega, shortest, 0.5 * std::numbers::pi);
   for (double& step : steps) step = nested(step);
   return steps;
+}
+
+}  // namespace
+
+ParticleSteps courant_steps_of_particles(const System<double>& system, double fraction) {
+  require_courant(fraction, 2.0);
+  ParticleSteps steps = steps_of(frequency_bounds(system), fraction);
+  require_bounded(system);
+  return steps;
+}
+
+ParticleSteps courant_steps_of_particles(const System<double>& system, const State<double>& state,
+                                         double fraction) {
+  require_courant(fraction, 2.0);
+  return steps_of(frequency_bounds(system, state), fraction);
+}
+
+ParticleSteps without_resonance(const System<double>& system, ParticleSteps steps) {
+  return nested_steps(system, frequency_bound(system), std::move(steps));
+}
+
+ParticleSteps without_resonance(const System<double>& system, const State<double>& state,
+                                ParticleSteps steps) {
+  return nested_steps(system, frequency_bound(system, state), std::move(steps));
 }
 
 }  // namespace jetlag

@@ -40,6 +40,10 @@ void require_potentials(const System<double>& system);
 /// Throws std::invalid_argument for another fraction, for a law that neither bounds its stiffness nor is constant, and
 /// where no element has a stiffness.
 ElementSteps courant_steps(const System<double>& system, double fraction);
+/// The same where elements of laws without a stiffness take fraction * 2 / omega_e at a state (control/frequency_bound.hpp),
+/// omega_e as fast as the whole may be where they are: with up to 24 tetrahedra at a particle, the limit of one alone is of
+/// no use. Steps of a clock do not change. Throws std::invalid_argument also as `frequency_bounds` at a state.
+ElementSteps courant_steps(const System<double>& system, const State<double>& state, double fraction);
 
 /// Steps meant to resonate with no oscillation of the system: each becomes the shortest one, h, times a power of two, not
 /// longer than it was and with
@@ -54,6 +58,8 @@ ElementSteps courant_steps(const System<double>& system, double fraction);
 /// Forces without a bound on their stiffness are not covered. Throws std::invalid_argument where the shortest step is
 /// itself beyond 2/omega, and where no element has a stiffness.
 ElementSteps without_resonance(const System<double>& system, ElementSteps steps);
+/// The same with the bound of all laws at a state.
+ElementSteps without_resonance(const System<double>& system, const State<double>& state, ElementSteps steps);
 
 class Avi final : public Impulses {
  public:

@@ -32,6 +32,10 @@ using ParticleSteps = std::vector<double>;
 /// stiffness get the longest step of the others. fraction: in (0, 1].
 /// Throws std::invalid_argument for another fraction, and where no particle has a stiffness.
 ParticleSteps courant_steps_of_particles(const System<double>& system, double fraction);
+/// The same for all laws, at a state: steps of a clock do not change, so that the fraction is also the room for laws that
+/// stiffen. Throws std::invalid_argument also as `frequency_bounds` at a state.
+ParticleSteps courant_steps_of_particles(const System<double>& system, const State<double>& state,
+                                         double fraction);
 
 /// Steps without resonance: each becomes the shortest one, h, times a power of two, not longer than it was and with
 ///     (2^l h) omega_h <= pi / 2,     omega_h = 2/h asin(h omega / 2),     omega = frequency_bound(system).
@@ -51,6 +55,9 @@ ParticleSteps courant_steps_of_particles(const System<double>& system, double fr
 /// is beyond a quarter period already: for longer steps take `ExplicitImplicit`.
 /// Throws std::invalid_argument where the shortest step is itself beyond 2/omega, and where no element has a stiffness.
 ParticleSteps without_resonance(const System<double>& system, ParticleSteps steps);
+/// The same with the bound of all laws at a state.
+ParticleSteps without_resonance(const System<double>& system, const State<double>& state,
+                                ParticleSteps steps);
 
 class Subcycling final : public Impulses {
  public:

@@ -7,11 +7,22 @@
 
 namespace jetlag {
 
+namespace {
+
+std::vector<bool> beyond(const std::vector<double>& omega, const System<double>& system, double step) {
+  std::vector<bool> chosen(omega.size());
+  for (std::size_t i = 0; i < omega.size(); ++i) chosen[i] = !system.fixed()[i] && !(step * omega[i] < 2);
+  return chosen;
+}
+
+}  // namespace
+
 std::vector<bool> beyond_courant(const System<double>& system, double step) {
-  const std::vector<double> omega = frequency_bounds(system);
-  std::vector<bool> beyond(omega.size());
-  for (std::size_t i = 0; i < omega.size(); ++i) beyond[i] = !system.fixed()[i] && !(step * omega[i] < 2);
-  return beyond;
+  return beyond(frequency_bounds(system), system, step);
+}
+
+std::vector<bool> beyond_courant(const System<double>& system, const State<double>& state, double step) {
+  return beyond(frequency_bounds(system, state), system, step);
 }
 
 ExplicitImplicit::ExplicitImplicit(const System<double>& system, double step,

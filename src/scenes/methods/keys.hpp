@@ -10,6 +10,11 @@ inline const SceneKey max_steps{"schedule.max_steps", "the run ends after so man
                                 "none"},
     threads{"schedule.threads", "for large scenes, 1 to 1024; the same bits for any number", "none: 1"},
     courant{"control.courant", "no step exceeds this fraction of the stability limit, > 0 and <= 1", "none"},
+    courant_refresh{
+        "control.courant_refresh",
+        "where a force has no stiffness, the limit is that of a state: it is found anew after so many steps, "
+        "whole number >= 1",
+        "50"},
     max_step{"control.max_step", "no step is longer [s], > 0", "none"};
 
 /// Of methods in lockstep.

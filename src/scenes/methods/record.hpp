@@ -57,6 +57,7 @@ struct StepperArguments {
   std::shared_ptr<const System<double>> system;
   std::uint64_t seed;
   int threads;
+  const State<double>& start;
 };
 
 /// Such a method.
@@ -75,6 +76,7 @@ struct ScheduleArguments {
   std::shared_ptr<const System<double>> system;
   std::uint64_t seed;
   int threads;
+  const State<double>& start;
 };
 
 struct MethodRecord {

@@ -36,14 +36,18 @@ LocalMotion::LocalMotion(const Model<double>& model, const TruncationLaw& law, c
   for (int i = 0; i < model.particles(); ++i)
     if (!model.fixed()[i]) moving_.push_back(i);
   longest_.assign(model.particles(), options_.max_step);
-  if (options_.courant != 0) {
-    const auto stable = courant_steps_of_particles(model, law, options_.velocity, options_.courant);
-    for (std::size_t i = 0; i < stable.size(); ++i) longest_[i] = std::min(longest_[i], stable[i]);
-  }
+  if (options_.courant != 0 && !bounds_need_state(model))
+    limit_steps(courant_steps_of_particles(model, law, options_.velocity, options_.courant));
+}
+
+void LocalMotion::limit_steps(const std::vector<double>& stable) {
+  for (std::size_t i = 0; i < stable.size(); ++i) longest_[i] = std::min(options_.max_step, stable[i]);
 }
 
 void LocalMotion::begin(const State<double>& state, const Ticks& ticks) {
   all_.start(state);  // throws what is to be thrown
+  if (options_.courant != 0 && bounds_need_state(model_))
+    limit_steps(courant_steps_of_particles(model_, state, stops_.law(), options_.velocity, options_.courant));
   to_kinks_.kinks().forget();
   to_change_.assign(to_change_.size(), false);
   std::ranges::fill(instants_, 0);

@@ -162,6 +162,8 @@ class LocalMotion {
   bool agrees(int particle, double time, double s, const double* c_2, Report& report) const;
   void publish(int particle, Count now, std::uint64_t group);
   void count(std::size_t updated);
+  /// No step of a particle is longer [s].
+  void limit_steps(const std::vector<double>& stable);
 
   ClockOptions options_;
   Stops stops_;

@@ -135,7 +135,7 @@ HardResult run_hard_case(const Problem& hard, const HardMethod& method, double e
     if (method.has_step) copy["control"]["step"] = step;
     const Value scene(copy, "");
     scene.only({"integrator", "control", "schedule"});
-    return read_method(scene, system, 1);
+    return read_method(scene, system, hard.start, 1);
   };
   HardResult result;
   result.verdict = Verdict::refused;

@@ -64,7 +64,7 @@ Row run(const Problem& problem, const Competitor& competitor, double step, int s
     Json copy = json;
     const Value scene(copy, "");
     scene.only({"integrator", "control", "schedule"});
-    const Method method = read_method(scene, system, static_cast<std::uint64_t>(seed));
+    const Method method = read_method(scene, system, problem.start, static_cast<std::uint64_t>(seed));
     const auto schedule = method.schedule();
     State<double> state = problem.start;
     const double start = processor_seconds();

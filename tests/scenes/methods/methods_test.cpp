@@ -150,7 +150,8 @@ TEST_P(MethodPages, NameSourcesThatAreListed) {
 /// Reads the parts of a scene for eight particles with springs. Throws SceneError.
 Method read(Json& scene) {
   Value(scene, "").only({"integrator", "control", "schedule"});  // room for all
-  return read_method(Value(scene, ""), std::make_shared<const System<double>>(spring_cube(1).system), 1);
+  const Problem cube = spring_cube(1);
+  return read_method(Value(scene, ""), std::make_shared<const System<double>>(cube.system), cube.start, 1);
 }
 
 /// What is said of a scene with another value of a key ("part.key"); nothing to take it out.

@@ -27,6 +27,8 @@ namespace jetlag {
 /// The particles that cannot be explicit with steps h [s]: those with h omega_i >= 2 by their own bound of the frequency
 /// (`frequency_bounds`), and not fixed. For linear forces the others are then stable. Shape (particles).
 std::vector<bool> beyond_courant(const System<double>& system, double step);
+/// The same for all laws, at a state. Throws std::invalid_argument as `frequency_bounds` at a state.
+std::vector<bool> beyond_courant(const System<double>& system, const State<double>& state, double step);
 
 class ExplicitImplicit final : public ImplicitMethod {
  public:

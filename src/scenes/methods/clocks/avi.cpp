@@ -22,12 +22,13 @@ ElementSteps read_steps(const Value& step, const System<double>& system) {
 }
 
 /// Each step the shorter one of "step" and "courant", where both are given.
-ElementSteps read_element_steps(const Value& control, const System<double>& system) {
+ElementSteps read_element_steps(const Value& control, const System<double>& system,
+                                const State<double>& start) {
   const auto step = control.find("step"), courant = control.find("courant");
   ElementSteps steps = step ? read_steps(*step, system) : ElementSteps{};
   if (!courant) return steps;
   const double share = courant->number(fraction);
-  const ElementSteps limits = checked(*courant, [&] { return courant_steps(system, share); });
+  const ElementSteps limits = checked(*courant, [&] { return courant_steps(system, start, share); });
   if (!step) return limits;
   for (std::size_t g = 0; g < steps.size(); ++g)
     std::ranges::transform(steps[g], limits[g], steps[g].begin(),
@@ -36,12 +37,12 @@ ElementSteps read_element_steps(const Value& control, const System<double>& syst
 }
 
 Method read_avi(const ScheduleArguments& arguments) {
-  const auto& [scene, integrator, schedule, system, seed, threads] = arguments;
+  const auto& [scene, integrator, schedule, system, seed, threads, start] = arguments;
   checked(integrator.at("type"),
           [&] { require_potentials(*system); });  // before courant speaks of their stiffness
-  ElementSteps steps = read_element_steps(require_steps(scene), *system);
+  ElementSteps steps = read_element_steps(require_steps(scene), *system, start);
   if (avoids_resonance(integrator))
-    steps = checked(integrator.at("resonance"), [&] { return without_resonance(*system, steps); });
+    steps = checked(integrator.at("resonance"), [&] { return without_resonance(*system, start, steps); });
   checked(integrator.at("type"), [&] { Avi(*system, steps); });
   return impulse_method([system = system, steps] { return std::make_unique<Avi>(*system, steps); });
 }

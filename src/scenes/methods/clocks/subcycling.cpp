@@ -15,9 +15,9 @@ namespace {
 const Range ratios{1, 1e9, true, true, "a number from 1 to 1e9"};
 
 /// "step", "courant" of the fastest frequency, or the shorter one where both are given.
-double read_short_step(const Value& control, const System<double>& system) {
+double read_short_step(const Value& control, const System<double>& system, const State<double>& start) {
   double step = control.has("step") ? control.at("step").number(positive) : infinite;
-  if (const auto courant = read_courant(control, system))
+  if (const auto courant = read_courant(control, system, start))
     step = std::min(step, courant->first * 2.0 / courant->second);
   return step;
 }
@@ -35,21 +35,22 @@ ParticleSteps within_limits(const std::vector<bool>& coarse, const ParticleSteps
 
 /// "ratio" to the short step: of the particles in "coarse", or a list with one for each particle; or "courant": what the
 /// limits of the particles in "coarse" together, or of each particle for itself, allow.
-ParticleSteps read_particle_steps(const Value& integrator, const Value& control,
-                                  const System<double>& system) {
+ParticleSteps read_particle_steps(const Value& integrator, const Value& control, const System<double>& system,
+                                  const State<double>& start) {
   const Value ratio = integrator.at("ratio");
   const auto listed = integrator.find("coarse");
   if (ratio.is_string()) {
     if (ratio.text() != "courant") ratio.refuse("a number, a list of one for each particle, or \"courant\"");
     const Value courant = control.at("courant");
     const double share = courant.number(fraction);
-    const ParticleSteps limits = checked(courant, [&] { return courant_steps_of_particles(system, share); });
+    const ParticleSteps limits =
+        checked(courant, [&] { return courant_steps_of_particles(system, start, share); });
     if (listed)
-      return within_limits(read_partition(*listed, system), limits, read_short_step(control, system));
+      return within_limits(read_partition(*listed, system), limits, read_short_step(control, system, start));
     control.only({"type", "courant"});
     return limits;
   }
-  const double step = read_short_step(control, system);
+  const double step = read_short_step(control, system, start);
   const auto particles = static_cast<std::size_t>(system.particles());
   if (!listed) {
     if (!ratio.is_array())
@@ -67,11 +68,11 @@ ParticleSteps read_particle_steps(const Value& integrator, const Value& control,
 }
 
 Method read_subcycling(const ScheduleArguments& arguments) {
-  const auto& [scene, integrator, schedule, system, seed, threads] = arguments;
-  ParticleSteps steps = read_particle_steps(integrator, require_steps(scene), *system);
+  const auto& [scene, integrator, schedule, system, seed, threads, start] = arguments;
+  ParticleSteps steps = read_particle_steps(integrator, require_steps(scene), *system, start);
   checked(integrator.at("type"), [&] { Subcycling(*system, steps); });
   if (avoids_resonance(integrator))
-    steps = checked(integrator.at("resonance"), [&] { return without_resonance(*system, steps); });
+    steps = checked(integrator.at("resonance"), [&] { return without_resonance(*system, start, steps); });
   return impulse_method([system = system, steps] { return std::make_unique<Subcycling>(*system, steps); });
 }
 

@@ -12,7 +12,8 @@ namespace {
 
 Stepper read_explicit_implicit(const StepperArguments& arguments) {
   const double step = read_step(arguments);
-  const auto implicit = read_implicit_particles(arguments.integrator, *arguments.system, step);
+  const auto implicit =
+      read_implicit_particles(arguments.integrator, *arguments.system, arguments.start, step);
   return one_step_method(arguments, 4.0, [system = arguments.system, step, implicit] {
     return std::make_unique<ExplicitImplicit>(*system, step, implicit);
   });

@@ -12,7 +12,7 @@ namespace {
 
 Stepper read_leapfrog(const StepperArguments& arguments) {
   double step = read_step(arguments);
-  if (const auto courant = read_courant(arguments.control, *arguments.system))
+  if (const auto courant = read_courant(arguments.control, *arguments.system, arguments.start))
     step = std::min(step, courant->first * 2.0 / courant->second);
   return {[system = arguments.system, step] { return std::make_unique<Leapfrog>(*system, step); }, 1.0, 2};
 }
@@ -30,7 +30,8 @@ MethodRecord leapfrog() {
       .keys = joined(
           {fixed,
            {{"control.courant",
-             "no step exceeds this fraction of the stability limit 2 / omega, > 0 and <= 1", "none"}}}),
+             "no step exceeds this fraction of the stability limit 2 / omega of the start, > 0 and <= 1",
+             "none"}}}),
       .examples = {R"({"integrator": {"type": "leapfrog"},
  "control": {"type": "fixed", "step": 0.01, "courant": 0.5}})"},
       .proofs = {{"1 - h * h / 4",

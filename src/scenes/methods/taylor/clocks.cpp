@@ -60,7 +60,7 @@ Degrees read_degrees(const Value& integrator) {
 
 /// The longest step and the tolerance may stand in a control, as they would for one clock.
 void read_steps(const Value& scene, const Value& schedule, const System<double>& system,
-                const TruncationLaw& law, ClockOptions& options) {
+                const State<double>& start, const TruncationLaw& law, ClockOptions& options) {
   double tolerance = default_tolerance;
   if (const auto control = scene.find("control")) {
     if (!control->is_object()) control->refuse("an object with a type");
@@ -77,10 +77,11 @@ void read_steps(const Value& scene, const Value& schedule, const System<double>&
       tolerance = control->at("tolerance").number(positive);
       options.max_step = read_max_step(*control);
     }
-    if (const auto courant = read_courant(*control, system)) {
+    if (const auto courant = read_courant(*control, system, start)) {
       options.courant = courant->first;
-      checked(control->at("courant"),
-              [&] { return courant_steps_of_particles(system, law, options.velocity, options.courant); });
+      checked(control->at("courant"), [&] {
+        return courant_steps_of_particles(system, start, law, options.velocity, options.courant);
+      });
     }
   }
   if (const auto most = schedule.find("max_step")) options.max_step = most->number(positive);
@@ -90,12 +91,12 @@ void read_steps(const Value& scene, const Value& schedule, const System<double>&
 /// What both have in common; ScheduleType: how the steps of neighbours go together.
 template <class ScheduleType, class ReadMore>
 Method read_clocks(const ScheduleArguments& arguments, ReadMore read_more) {
-  const auto& [scene, integrator, schedule, system, seed, threads] = arguments;
+  const auto& [scene, integrator, schedule, system, seed, threads, start] = arguments;
   const Degrees degrees = read_degrees(integrator);
   const TruncationLaw& law = degrees.law;
   typename ScheduleType::Options options;
   options.velocity = read_velocity_series(integrator);
-  read_steps(scene, schedule, *system, law, options);
+  read_steps(scene, schedule, *system, start, law, options);
   options.shared_draw = degrees.shared_draw;
   options.draws = degrees.draws;
   options.seed = seed;

@@ -10,7 +10,7 @@ namespace jetlag::methods {
 namespace {
 
 Stepper read_random_taylor(const StepperArguments& arguments) {
-  const auto& [integrator, control, system, seed, threads] = arguments;
+  const auto& [integrator, control, system, seed, threads, start] = arguments;
   const Truncation law = read_truncation(integrator);
   if (const auto tolerance = tolerance_of_degree(control))
     tolerance->refuse("left out for random_taylor, whose degrees are given");
@@ -52,7 +52,7 @@ MethodRecord random_taylor() {
            series_keys()}),
       .examples =
           {R"({"integrator": {"type": "random_taylor", "min_degree": 3, "max_degree": 4},
- "control": {"type": "fixed", "step": 0.01}})",
+ "control": {"type": "fixed", "step": 0.01, "courant": 0.9}})",
            R"({"integrator": {"type": "random_taylor", "min_degree": 5, "max_degree": 16, "base": 3, "draws": "ruler"},
  "control": {"type": "fixed", "step": 0.01}})",
            R"({"integrator": {"type": "random_taylor", "law": "poisson", "min_degree": 3, "max_degree": 12,

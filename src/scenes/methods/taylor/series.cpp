@@ -26,12 +26,12 @@ VelocitySeries read_velocity_series(const Value& integrator) {
 
 Stepper series_method(const StepperArguments& arguments, const Truncation& law, bool shared_draw,
                       Draw draws) {
-  const auto& [integrator, control, system, seed, threads] = arguments;
+  const auto& [integrator, control, system, seed, threads, start] = arguments;
   const RandomTaylor::Options options{
       seed,    shared_draw, read_velocity_series(integrator), integrator.at("compensated", false).boolean(),
       threads, draws};
   const TruncationLaw known = known_beforehand(law);
-  std::shared_ptr<const Control> model = read_control(control, known, options.velocity, *system);
+  std::shared_ptr<const Control> model = read_control(control, known, options.velocity, *system, start);
   const int read = model->orders_read(known, options.velocity);
   const StepDraws of_a_step{draws, shared_draw, system->particles(), moving_particles(*system)};
   return {[system = system, law, model, options] {

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// Clocks of particles and elements by the Courant limits of a state, where laws have no stiffness.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include "jetlag/control/courant.hpp"
+#include "jetlag/forces/forces.hpp"
+#include "jetlag/integrators/implicit/explicit_implicit.hpp"
+#include "jetlag/model/energy.hpp"
+#include "jetlag/schedule/avi.hpp"
+#include "jetlag/schedule/block.hpp"
+#include "jetlag/schedule/subcycling.hpp"
+#include "support/problems.hpp"
+#include "support/st_venant_kirchhoff.hpp"
+
+namespace jetlag::testing::limits_of_a_state_test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+/// A bar with one cell in its middle that is 100 times as stiff, hit at one end.
+Problem bar() {
+  const KuhnBox box = kuhn_box({7, 1, 1}, {0.7, 0.1, 0.1});
+  std::vector<double> stiffer(box.tetrahedra.size(), 1.0);
+  std::fill_n(stiffer.begin() + 3 * 6, 6, 100.0);
+  Problem scene{elastic(box, 1e5, 0.3, 1000, stiffer), at_rest(box)};
+  for (int i = 0; i < 4; ++i) scene.start.velocity.row(i) << 0.01, 0.02, 0.0;
+  return scene;
+}
+
+double energy_error(const Problem& scene, const State<double>& end) {
+  EnergyMeter energy(scene.system);
+  return std::abs(energy(end).total() / energy(scene.start).total() - 1);
+}
+
+TEST(LimitsOfAState, AreTheStepsOfElements) {
+  const Problem scene = bar();
+  const auto omega = frequency_bounds_of_elements(scene.system, scene.start);
+  const ElementSteps steps = courant_steps(scene.system, scene.start, 0.2);
+  ASSERT_EQ(steps.size(), 1u);
+  for (std::size_t e = 0; e < steps[0].size(); ++e) EXPECT_EQ(steps[0][e], 0.2 * 2.0 / omega[0][e]) << e;
+  // 100 times stiffer: ten times shorter, but that it gets nearly all of the mass of its particles, of which those at the end
+  // of the bar have half.
+  EXPECT_GT(steps[0].front() / steps[0][3 * 6], 10 / std::sqrt(2.0) - 0.1);
+  EXPECT_LT(steps[0].front() / steps[0][3 * 6], 10.0);
+}
+
+TEST(LimitsOfAState, LeaveSpringsTheirOwn) {
+  const Problem cube = spring_cube(1);
+  EXPECT_EQ(courant_steps(cube.system, cube.start, 0.2), courant_steps(cube.system, 0.2));
+  EXPECT_EQ(courant_steps_of_particles(cube.system, cube.start, 0.2),
+            courant_steps_of_particles(cube.system, 0.2));
+  EXPECT_EQ(beyond_courant(cube.system, cube.start, 0.1), beyond_courant(cube.system, 0.1));
+  Problem scene = bar();
+  scene.system.add<Spring>({{0, 4}}, {{7.0, 0.1}});
+  const double squared = 7.0 / scene.system.mass()[0] + 7.0 / scene.system.mass()[4];
+  EXPECT_DOUBLE_EQ(courant_steps(scene.system, scene.start, 0.2)[1][0], 0.2 * 2.0 / std::sqrt(squared));
+}
+
+TEST(LimitsOfAState, AreRefusedWhereNothingBoundsALaw) {
+  Problem scene = bar();
+  EXPECT_THAT(
+      [&] { courant_steps(scene.system, 0.2); },
+      ThrowsMessage<std::invalid_argument>(HasSubstr("no stiffness is known of st_venant_kirchhoff")));
+  EXPECT_THROW(courant_steps_of_particles(scene.system, 0.2), std::invalid_argument);
+  scene.system.add<Gravity>({{0, 9}}, {{1.0}});
+  EXPECT_THAT([&] { courant_steps(scene.system, scene.start, 0.2); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("no stiffness is known of gravity")));
+}
+
+TEST(LimitsOfAState, KeepTheEnergyOfVariationalClocks) {
+  // Of order (f omega h)^2 < f^2, f = 0.2 of the limit; it does not grow: 0.5 s are some 9000 steps of the shortest clock.
+  const Problem scene = bar();
+  Avi avi(scene.system, courant_steps(scene.system, scene.start, 0.2));
+  State<double> state = scene.start;
+  ASSERT_EQ(avi.run(state, 0.5, {}).outcome, Outcome::success);
+  EXPECT_LT(energy_error(scene, state), 0.04);
+}
+
+TEST(LimitsOfAState, AreTheStepsOfParticles) {
+  const Problem scene = bar();
+  const auto omega = frequency_bounds(scene.system, scene.start);
+  const ParticleSteps steps = courant_steps_of_particles(scene.system, scene.start, 0.5);
+  for (std::size_t i = 0; i < steps.size(); ++i) EXPECT_EQ(steps[i], 0.5 * 2.0 / omega[i]);
+  const double between = 2 * omega[0];
+  const auto implicit = beyond_courant(scene.system, scene.start, 2.0 / between);
+  for (std::size_t i = 0; i < steps.size(); ++i) EXPECT_EQ(implicit[i], omega[i] > between) << i;
+  EXPECT_THAT(implicit, ::testing::Contains(true));
+  // Without resonance: h times powers of two, of which none exceeds 2 / omega of the whole.
+  const double fastest = frequency_bound(scene.system, scene.start), h = std::ranges::min(steps) / 8;
+  const ParticleSteps eighths(steps.size(), 8 * h);
+  ParticleSteps mixed = eighths;
+  mixed[0] = h;
+  for (const double step : without_resonance(scene.system, scene.start, mixed)) {
+    EXPECT_EQ(std::exp2(std::round(std::log2(step / h))) * h, step);
+    EXPECT_LT(step * fastest, 2.0);
+  }
+}
+
+TEST(LimitsOfAState, BoundTheStepsOfBlocks) {
+  // Degree 4, tolerance of no account. The bound of the start, 5 % more: the bar hardly deforms.
+  const Problem scene = bar();
+  BlockSteps::Options options;
+  options.tolerance = 1.0;
+  options.courant = 0.8;
+  options.max_step = 1.0;
+  const auto omega = frequency_bounds(scene.system, scene.start);
+  BlockSteps schedule(scene.system, 4, options);
+  RunOptions run;
+  double longest = 0, shortest = 1;
+  run.observer.on_update = [&](const Update& update) {
+    longest = std::max(longest, update.step);
+    shortest = std::min(shortest, update.step);
+    EXPECT_LE(update.step * omega[update.particle], 0.8 * std::sqrt(8.0) / 1.05 * (1 + 1e-8));
+  };
+  State<double> state = scene.start;
+  ASSERT_EQ(schedule.run(state, 0.5, run).outcome, Outcome::success);
+  EXPECT_GE(longest / shortest, 4.0);
+  EXPECT_LT(energy_error(scene, state), 0.04);
+}
+
+}  // namespace
+}  // namespace jetlag::testing::limits_of_a_state_test
