@@ -6,6 +6,10 @@
 
 namespace jetlag {
 
+namespace {
+constexpr bool has_colours(int participants) { return participants <= 2; }
+}  // namespace
+
 ElementJacobian::ElementJacobian(const Model<double>& model,
                                  const std::function<bool(std::span<const int>)>& wanted,
                                  const std::function<bool(int)>& column)
@@ -14,9 +18,12 @@ ElementJacobian::ElementJacobian(const Model<double>& model,
       stride_(padded(model.dimension())),
       touched_(particles_, false),
       fixed_(model.fixed()),
+      is_column_(particles_, false),
       neighbours_(particles_),
       rows_(particles_) {
+  std::vector<bool> is_coloured(particles_, false);  // whether an element with colours acts on it
   for (const auto& law : model.laws()) {
+    const bool by_colours = has_colours(law->elements().law.participants);
     std::vector<int> chosen;
     for (const int e : law->all()) {
       const auto members = law->particles_of(e);
@@ -24,6 +31,8 @@ ElementJacobian::ElementJacobian(const Model<double>& model,
       chosen.push_back(e);
       for (const int i : members) {
         touched_[i] = true;
+        if (!by_colours) continue;
+        is_coloured[i] = true;
         for (const int j : members)
           if (j != i && !fixed_[i] && !fixed_[j]) neighbours_[i].push_back(j);
       }
@@ -32,12 +41,14 @@ ElementJacobian::ElementJacobian(const Model<double>& model,
     laws_.push_back(law->blocks(law->elements().law.force, kernels<double>(), chosen));
     laws_.back().reserve(2);
     reads_velocity_ = reads_velocity_ || laws_.back().reads_velocity();
+    if (!by_colours) tangents_.emplace_back(law, std::move(chosen));
   }
   for (int i = 0; i < particles_; ++i) {
     auto& neighbours = neighbours_[i];
     std::ranges::sort(neighbours);
     neighbours.erase(std::ranges::unique(neighbours).begin(), neighbours.end());
-    if (!touched_[i] || fixed_[i] || !column(i)) continue;
+    is_column_[i] = touched_[i] && !fixed_[i] && column(i);
+    if (!is_column_[i] || !is_coloured[i]) continue;
     rows_[i] = {i};
     rows_[i].insert(rows_[i].end(), neighbours.begin(), neighbours.end());
   }
@@ -77,17 +88,26 @@ void ElementJacobian::colour() {
   }
 }
 
-/// Coefficient k of the forces.
-void ElementJacobian::run(int k) {
+/// Adds coefficient k of the forces of a law.
+void ElementJacobian::run(ElementBlocks<double>& law, int k) {
+  if (law.running(k, 1) == 0) return;
   const std::size_t size = f_.size();
-  std::ranges::fill(f_, 0.0);
   // A unit of time of 0: the time stands still along a direction.
-  const MotionRows<double> motion{x_.data() + k * size, v_.data() + k * size, size, time_, 0.0};
-  for (auto& law : laws_) {
-    if (law.running(k, 1) == 0) continue;
-    for (std::size_t chunk = 0; chunk < law.chunks(); ++chunk) law.push(chunk, k, 1, motion, f_.data());
-    element_coefficients_ += law.count();
-  }
+  const MotionRows<double> motion{x_.data() + k * size, v_.data() + k * size, size, state_.time, 0.0};
+  for (std::size_t chunk = 0; chunk < law.chunks(); ++chunk) law.push(chunk, k, 1, motion, f_.data());
+  element_coefficients_ += law.count();
+}
+
+/// Coefficient k of the forces of all.
+void ElementJacobian::run(int k) {
+  std::ranges::fill(f_, 0.0);
+  for (auto& law : laws_) run(law, k);
+}
+
+void ElementJacobian::run_coloured() {
+  std::ranges::fill(f_, 0.0);
+  for (auto& law : laws_)
+    if (has_colours(law.participants())) run(law, 1);
 }
 
 Coordinates<double> ElementJacobian::result() const {
@@ -98,7 +118,7 @@ Coordinates<double> ElementJacobian::result() const {
 }
 
 Coordinates<double> ElementJacobian::force(const State<double>& state) {
-  time_ = state.time;
+  state_ = state;
   for (int i = 0; i < particles_; ++i)
     for (int c = 0; c < dimension_; ++c) {
       x_[i * stride_ + c] = state.position(i, c);
@@ -129,7 +149,7 @@ void ElementJacobian::derivatives(By by, std::vector<JacobianEntry>& entries) {
   for (const auto& colour : colours_)
     for (int c = 0; c < dimension_; ++c) {
       for (const int i : colour) direction[i * stride_ + c] = 1;
-      run(1);
+      run_coloured();
       for (const int i : colour) {
         direction[i * stride_ + c] = 0;
         for (const int row : rows_[i])
@@ -137,6 +157,28 @@ void ElementJacobian::derivatives(By by, std::vector<JacobianEntry>& entries) {
             entries.push_back({row * dimension_ + r, i * dimension_ + c, f_[row * stride_ + r]});
       }
     }
+  add_tangents(by, entries);
+}
+
+void ElementJacobian::add_tangents(By by, std::vector<JacobianEntry>& entries) {
+  for (auto& law : tangents_) {
+    if (by == By::velocity && !law.reads_velocity()) continue;
+    law.take(state_, by == By::position ? Input::Kind::position : Input::Kind::velocity);
+    element_coefficients_ += (law.size() + 1) * law.chosen().size();
+    entries.reserve(entries.size() + law.chosen().size() * law.size() * law.size());
+    for (std::size_t n = 0; n < law.chosen().size(); ++n) {
+      const auto particles = law.law().particles_of(law.chosen()[n]);
+      const auto tangent = law.of(static_cast<int>(n));
+      for (int column = 0; column < law.size(); ++column) {
+        const int j = particles[column / dimension_];
+        if (!is_column_[j]) continue;
+        for (int row = 0; row < law.size(); ++row)
+          if (const int i = particles[row / dimension_]; !fixed_[i])
+            entries.push_back({i * dimension_ + row % dimension_, j * dimension_ + column % dimension_,
+                               -tangent(row, column)});
+      }
+    }
+  }
 }
 
 }  // namespace jetlag

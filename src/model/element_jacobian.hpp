@@ -5,13 +5,14 @@
 // Coefficient 1 of the forces along x(t) = x + t u, v(t) = v + t w is dF/dx u + dF/dv w. Particles of one colour share
 // no neighbour: one such product gives a column for each of them (Curtis, Powell, Reid, IMA J. Appl. Math. 13 (1974)
 // 117). They are coloured when a Jacobian is asked for, which costs the sum over particles of their neighbours'
-// neighbours.
+// neighbours. Elements of three and more participants would need too many colours: their tangents are taken one by one.
 
 #include <cstdint>
 #include <functional>
 #include <vector>
 
 #include "jetlag/model/model.hpp"
+#include "model/element_tangents.hpp"
 
 namespace jetlag {
 
@@ -41,27 +42,31 @@ class ElementJacobian {
   Coordinates<double> product(const Coordinates<double>& u, const Coordinates<double>& w);
 
   /// Their derivatives at the state of the last `force`, by positions or by velocities of moving particles, on moving
-  /// particles.
+  /// particles. Entries of the same row and column are to be added up.
   enum class By { position, velocity };
   void derivatives(By by, std::vector<JacobianEntry>& entries);
 
   std::uint64_t element_coefficients() const { return element_coefficients_; }
 
  private:
+  void run(ElementBlocks<double>& law, int k);
   void run(int k);
+  void run_coloured();
   void colour();
+  void add_tangents(By by, std::vector<JacobianEntry>& entries);
   Coordinates<double> result() const;
 
   int particles_, dimension_, stride_;
   std::vector<ElementBlocks<double>> laws_;
-  std::vector<bool> touched_, fixed_;
+  std::vector<ElementTangents> tangents_;  // of those of three and more participants
+  std::vector<bool> touched_, fixed_, is_column_;
   bool reads_velocity_ = false;
-  std::vector<std::vector<int>> neighbours_;  // moving ones, of moving particles
+  std::vector<std::vector<int>> neighbours_;  // moving ones in coloured elements, of moving particles
   std::vector<std::vector<int>> rows_;        // wanted moving particle: those that it acts upon, itself first
   std::vector<std::vector<int>> colours_;     // the particles of each
   bool is_coloured_ = false;
   AlignedVector<double> x_, v_, f_;  // orders 0 and 1; padded rows
-  double time_ = 0;
+  State<double> state_;              // of the last `force`
   std::uint64_t element_coefficients_ = 0;
 };
 

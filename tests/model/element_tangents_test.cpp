@@ -40,6 +40,32 @@ TEST(ElementTangents, OfASpringIsKnown) {
             16 * 3.0 * 0x1p-53);  // some ten roundings of up to k
 }
 
+/// F_i = -c (v_i - v_2), of three.
+struct Viscous {
+  static constexpr const char* name = "viscous";
+  static constexpr int participants = 3;
+  static constexpr std::array parameters{"coefficient"};
+  template <class T, int D>
+  static std::array<Vector<T, D>, 2> forces(const Participants<T, D, 3>& p, const T& c) {
+    return {Vector<T, D>(T(-c) * (p.velocity[0] - p.velocity[2])),
+            Vector<T, D>(T(-c) * (p.velocity[1] - p.velocity[2]))};
+  }
+};
+
+/// -dF/dx or -dF/dv of n particles, each column the product with one direction, at the state of the last force.
+Eigen::MatrixXd columns(ElementJacobian& jacobian, int n, int dimension, ElementJacobian::By by) {
+  Eigen::MatrixXd all(n * dimension, n * dimension);
+  const Coordinates<double> zero = Coordinates<double>::Zero(n, dimension);
+  for (int column = 0; column < all.cols(); ++column) {
+    Coordinates<double> along = zero;
+    along(column / dimension, column % dimension) = 1;
+    const Coordinates<double> f =
+        by == ElementJacobian::By::position ? jacobian.product(along, zero) : jacobian.product(zero, along);
+    for (int row = 0; row < all.rows(); ++row) all(row, column) = -f(row / dimension, row % dimension);
+  }
+  return all;
+}
+
 TEST(ElementTangents, AddUpToTheJacobianOfTheSystem) {
   // 300 tetrahedra, more than run at once, beside others: internal and external, of one to four, and of velocities.
   Uniform random(3);
@@ -64,18 +90,29 @@ TEST(ElementTangents, AddUpToTheJacobianOfTheSystem) {
   system.add<Spring>({{8, 9}, {9, 10}}, {{2.0, 0.4}});
   system.add<Gravity>({{11, 12}}, {{0.3}});
   system.add<Drag>({{13}}, {{0.3}});
+  system.add<Viscous>({{1, 5, 20}, {7, 20, 13}}, {{0.4}});
   const Model<double> model(system);
 
-  Eigen::MatrixXd truth = Eigen::MatrixXd::Zero(3 * n, 3 * n);
   ElementJacobian jacobian(model, [](auto) { return true; });
   jacobian.force(state);
-  std::vector<JacobianEntry> entries;
-  jacobian.derivatives(ElementJacobian::By::position, entries);
-  for (const JacobianEntry& entry : entries) truth(entry.row, entry.column) -= entry.value;
+  const Eigen::MatrixXd truth = columns(jacobian, n, 3, ElementJacobian::By::position);
   // Up to some 30 elements at a particle, each of at most the largest sum, are added up in another order.
-  EXPECT_LE((whole_tangent(model, state) - truth).cwiseAbs().maxCoeff(),
-            64 * 0x1p-53 * truth.cwiseAbs().rowwise().sum().maxCoeff());
+  const double tolerance = 64 * 0x1p-53 * truth.cwiseAbs().rowwise().sum().maxCoeff();
+  EXPECT_LE((whole_tangent(model, state) - truth).cwiseAbs().maxCoeff(), tolerance);
   EXPECT_GT(truth.cwiseAbs().maxCoeff(), 0.1);
+
+  // The same by the derivatives of the system, of which only some columns are asked for; and by velocities.
+  for (const auto by : {ElementJacobian::By::position, ElementJacobian::By::velocity}) {
+    ElementJacobian some(model, [](auto) { return true; }, [](int particle) { return particle % 3 != 0; });
+    some.force(state);
+    std::vector<JacobianEntry> entries;
+    some.derivatives(by, entries);
+    Eigen::MatrixXd rest = columns(jacobian, n, 3, by);
+    EXPECT_GT(rest.cwiseAbs().maxCoeff(), 0.1);
+    for (int i = 0; i < n; i += 3) rest.middleCols(3 * i, 3).setZero();
+    for (const JacobianEntry& entry : entries) rest(entry.row, entry.column) += entry.value;
+    EXPECT_LE(rest.cwiseAbs().maxCoeff(), tolerance);
+  }
 }
 
 // ---- bodies ------------------------------------------------------------------------------------------------
