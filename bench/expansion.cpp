@@ -12,7 +12,7 @@
 #include "benchmarks.hpp"
 #include "jetlag/forces/forces.hpp"
 #include "problems/from_energy.hpp"
-#include "support/laws_of_many.hpp"
+#include "support/laws/laws_of_many.hpp"
 
 namespace jetlag::bench {
 

@@ -24,7 +24,7 @@
 #include "jetlag/model/energy.hpp"
 #include "jetlag/schedule/lockstep.hpp"
 #include "support/eigenvalues.hpp"
-#include "support/laws_of_many.hpp"
+#include "support/laws/laws_of_many.hpp"
 #include "support/problems.hpp"
 
 namespace jetlag::testing::courant_test {

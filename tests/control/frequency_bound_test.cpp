@@ -16,10 +16,10 @@
 #include "jetlag/schedule/lockstep.hpp"
 #include "model/whole_tangent.hpp"
 #include "support/eigenvalues.hpp"
-#include "support/laws_of_many.hpp"
+#include "support/laws/elastic_box.hpp"
+#include "support/laws/laws_of_many.hpp"
 #include "support/problems.hpp"
 #include "support/random.hpp"
-#include "support/st_venant_kirchhoff.hpp"
 
 namespace jetlag::testing::frequency_bound_test {
 namespace {
@@ -94,7 +94,7 @@ TEST(FrequencyBoundAtAState, OfBodiesIsThatOfAnIndependentProgram) {
                            {{4, 4, 4}, {1, 1, 1}, 0.49, 523.6273, 1.531},
                            {{2, 2, 8}, {0.4, 0.4, 1.6}, 0.3, 175.1087, 1.356},
                            {{4, 4, 4}, {1, 1, 0.25}, 0.3, 435.8596, 1.231}}) {
-    const KuhnBox box = kuhn_box(body.cells, body.lengths);
+    const auto box = problems::kuhn_mesh(body.cells, body.lengths);
     const Model<double> model(elastic(box, 1e5, body.poisson, 1000));
     const double truth = fastest(model, at_rest(box)), bound = frequency_bound(model, at_rest(box));
     EXPECT_NEAR(truth, body.omega, 5e-5 * (1 + 1e-6));
@@ -104,7 +104,7 @@ TEST(FrequencyBoundAtAState, OfBodiesIsThatOfAnIndependentProgram) {
 
 /// How far the particles of a body have gone from rest after 1500 steps of leapfrog, from velocities of 1e-8 m/s.
 double distance_gone(double omega_h) {
-  const KuhnBox box = kuhn_box({3, 2, 2}, {0.6, 0.4, 0.4});
+  const auto box = problems::kuhn_mesh({3, 2, 2}, {0.6, 0.4, 0.4});
   const System<double> system = elastic(box, 1e5, 0.3, 1000);
   State<double> state = at_rest(box);
   Uniform random(7);

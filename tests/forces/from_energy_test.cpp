@@ -24,7 +24,7 @@
 #include "jetlag/schedule/lockstep.hpp"
 #include "jetlag/tape/program.hpp"
 #include "support/engine_of_numbers.hpp"
-#include "support/jelly.hpp"
+#include "support/laws/jelly.hpp"
 #include "support/random.hpp"
 #include "support/running_error.hpp"
 

@@ -13,7 +13,7 @@
 #include "jetlag/forces/forces.hpp"
 #include "problems/from_energy.hpp"
 #include "support/close.hpp"
-#include "support/laws_of_many.hpp"
+#include "support/laws/laws_of_many.hpp"
 
 namespace jetlag::testing::force_laws_test {
 

@@ -14,10 +14,10 @@
 #include "model/element_jacobian.hpp"
 #include "model/whole_tangent.hpp"
 #include "support/eigenvalues.hpp"
-#include "support/laws_of_many.hpp"
+#include "support/laws/elastic_box.hpp"
+#include "support/laws/laws_of_many.hpp"
 #include "support/problems.hpp"
 #include "support/random.hpp"
-#include "support/st_venant_kirchhoff.hpp"
 
 namespace jetlag::testing::element_tangents_test {
 namespace {
@@ -120,10 +120,10 @@ TEST(ElementTangents, AddUpToTheJacobianOfTheSystem) {
 /// The frequencies [rad/s] of a box at rest, of 1e5 Pa and 1000 kg/m^3, held at x = 0.
 std::vector<double> held_frequencies(const std::array<int, 3>& cells, const std::array<double, 3>& lengths,
                                      double poisson) {
-  const KuhnBox box = kuhn_box(cells, lengths);
+  const auto box = problems::kuhn_mesh(cells, lengths);
   System<double> system = elastic(box, 1e5, poisson, 1000);
-  for (std::size_t i = 0; i < box.vertices.size(); ++i)
-    if (box.vertices[i].x() == 0) system.fix(static_cast<int>(i));
+  for (int i = 0; i < box.position.rows(); ++i)
+    if (box.position(i, 0) == 0) system.fix(i);
   const Model<double> model(system);
   std::vector<double> omega;
   for (const double square : eigenvalues(over_masses(whole_tangent(model, at_rest(box)), model)))

@@ -12,7 +12,7 @@
 #include "jetlag/model/energy.hpp"
 #include "jetlag/motion/expansion.hpp"
 #include "jetlag/motion/partial_expansion.hpp"
-#include "support/laws_of_many.hpp"
+#include "support/laws/laws_of_many.hpp"
 #include "support/random.hpp"
 
 namespace jetlag::testing::model_test {

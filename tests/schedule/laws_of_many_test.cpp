@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Elements of three and four particles in every method that knows elements: all move alike, and keep what they should.
-#include "support/laws_of_many.hpp"
+#include "support/laws/laws_of_many.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@
 #include "jetlag/schedule/lockstep.hpp"
 #include "jetlag/schedule/qss.hpp"
 #include "jetlag/schedule/subcycling.hpp"
-#include "support/jelly.hpp"
+#include "support/laws/jelly.hpp"
 #include "support/problems.hpp"
 
 namespace jetlag::testing::laws_of_many_test {

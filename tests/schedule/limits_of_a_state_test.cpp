@@ -14,8 +14,8 @@
 #include "jetlag/schedule/avi.hpp"
 #include "jetlag/schedule/block.hpp"
 #include "jetlag/schedule/subcycling.hpp"
+#include "support/laws/elastic_box.hpp"
 #include "support/problems.hpp"
-#include "support/st_venant_kirchhoff.hpp"
 
 namespace jetlag::testing::limits_of_a_state_test {
 namespace {
@@ -25,7 +25,7 @@ using ::testing::ThrowsMessage;
 
 /// A bar with one cell in its middle that is 100 times as stiff, hit at one end.
 Problem bar() {
-  const KuhnBox box = kuhn_box({7, 1, 1}, {0.7, 0.1, 0.1});
+  const auto box = problems::kuhn_mesh({7, 1, 1}, {0.7, 0.1, 0.1});
   std::vector<double> stiffer(box.tetrahedra.size(), 1.0);
   std::fill_n(stiffer.begin() + 3 * 6, 6, 100.0);
   Problem scene{elastic(box, 1e5, 0.3, 1000, stiffer), at_rest(box)};

@@ -9,7 +9,7 @@
 
 #include "jetlag/forces/forces.hpp"
 #include "problems/problem.hpp"
-#include "support/laws_of_many.hpp"
+#include "support/laws/laws_of_many.hpp"
 #include "support/random.hpp"
 
 namespace jetlag::testing {
