@@ -2,6 +2,7 @@
 #pragma once
 // Elastic bodies of tetrahedra, at rest.
 
+#include <array>
 #include <vector>
 
 #include "jetlag/forces/solids/lame.hpp"
