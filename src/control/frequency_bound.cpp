@@ -101,6 +101,15 @@ namespace {
 constexpr int most_rows = 3 * most_participants;
 using Tangent = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most_rows, most_rows>;
 
+/// Tangents by velocities are not bounded here.
+void require_no_velocities(const RecordedLaw& law) {
+  if (reads(law, Input::Kind::velocity))
+    throw std::invalid_argument(
+        "courant: " + law.name +
+        " depends on velocities and says no damping, so that nothing bounds the step; "
+        "leave courant out");
+}
+
 Tangent symmetric_part(const Eigen::Map<const Eigen::MatrixXd>& k) { return 0.5 * (k + k.transpose()); }
 
 /// In ascending order. K finite.
@@ -123,7 +132,10 @@ class FrequencyMeter::Elements {
   explicit Elements(const Model<double>& model) : model_(model), load_of_stiffness_(model.particles(), 0.0) {
     add_loads_of_stiffness(model, load_of_stiffness_);
     for (std::size_t n = 0; n < model.laws().size(); ++n)
-      if (needs_state(model.law(n))) laws_.push_back({n, ElementTangents(model.laws()[n]), {}, {}});
+      if (needs_state(model.law(n))) {
+        require_no_velocities(model.law(n).elements().law);
+        laws_.push_back({n, ElementTangents(model.laws()[n]), {}, {}});
+      }
   }
 
   Elements(const Elements& other) : Elements(other.model_) {

@@ -63,6 +63,9 @@ bool is_second(const Node& node, int operand) {
 }  // namespace
 
 Adjoints::Adjoints(Recording& recording, const std::vector<Recorded>& inputs) : recording_(recording) {
+  for (const Recorded& input : inputs)
+    if (input.is_number() || is_operation(recording.nodes()[recording.node_of(input)]))
+      throw std::invalid_argument("derivatives: by inputs and parameters of the recording alone");
   const auto& nodes = recording.nodes();
   depends_.assign(nodes.size(), false);
   adjoints_.resize(nodes.size());

@@ -67,6 +67,13 @@ TEST(LimitsOfAState, AreRefusedWhereNothingBoundsALaw) {
   EXPECT_THAT([&] { courant_steps(scene.system, 0.2); },
               ThrowsMessage<std::invalid_argument>(HasSubstr("no stiffness is known of stvk")));
   EXPECT_THROW(courant_steps_of_particles(scene.system, 0.2), std::invalid_argument);
+  {
+    Problem viscous = bar();
+    viscous.system.add_at_rest<KelvinVoigt>({{0, 2, 1, 4}}, viscous.start.position, {{1.0, 1.0}});
+    EXPECT_THAT([&] { courant_steps(viscous.system, viscous.start, 0.2); },
+                ThrowsMessage<std::invalid_argument>(HasSubstr("kelvin_voigt depends on velocities")));
+    EXPECT_THROW(courant_steps_of_particles(viscous.system, viscous.start, 0.2), std::invalid_argument);
+  }
   scene.system.add<Gravity>({{0, 9}}, {{1.0}});
   EXPECT_THAT([&] { courant_steps(scene.system, scene.start, 0.2); },
               ThrowsMessage<std::invalid_argument>(HasSubstr("no stiffness is known of gravity")));

@@ -18,7 +18,8 @@ namespace jetlag {
 /// Of a choice (select, min, max) it is the derivative of what is chosen. That of |u| is the sign of u, and 0 where u is.
 /// Values without a series stay so, and what the derivatives have in common is computed once.
 /// Where a power meets another of the same value, as in r / r, they are one: a derivative may exist where a value does not.
-/// Throws std::invalid_argument if the output depends on an input by a rule that has no derivative.
+/// Throws std::invalid_argument if the output depends on an input by a rule that has no derivative, and for an input that is a
+/// number or an operation.
 ///
 /// Cost: at most some four operations for each that the output needs (Griewank & Walther, Evaluating Derivatives, 2nd ed.,
 /// section 3.3), of which most have no history.
