@@ -13,6 +13,11 @@ bool reads(const Tape& tape, Input::Kind kind) {
             (kind == Input::Kind::position && node.input.kind == Input::Kind::separation));
   });
 }
+bool reads_places(const Tape& tape) {
+  return std::ranges::any_of(tape.nodes, [](const Node& node) {
+    return node.kind == Node::Kind::input && node.input.kind == Input::Kind::position;
+  });
+}
 bool reads(const RecordedLaw& law, Input::Kind kind) { return reads(law.force, kind); }
 
 template RecordedLaw record_law<Spring>(int);

@@ -180,6 +180,35 @@ TEST(FromEnergy, IsRefusedOfVelocities) {
                   "viscous: forces from an energy that depends on velocities"));
 }
 
+/// E = k/2 (|x_0|^2 + |x_1|^2): of places, not of differences.
+struct TetherBetween {
+  static constexpr const char* name = "tether";
+  static constexpr int participants = 2;
+  static constexpr std::array parameters{"stiffness"};
+  template <class T, int D>
+  static T energy(const Participants<T, D, 2>& p, const T& k) {
+    return T(0.5) * k * (p.position[0].squaredNorm() + p.position[1].squaredNorm());
+  }
+};
+struct Tether : TetherBetween {
+  static constexpr bool external = true;
+};
+TEST(FromEnergy, IsRefusedOfPlacesUnlessTheLawIsExternal) {  // the last would get minus what pulls the other
+  EXPECT_THAT([] { record_law<TetherBetween>(2); },
+              ::testing::ThrowsMessage<std::invalid_argument>(
+                  ::testing::HasSubstr("tether: the energy of a law between particles must be written in "
+                                       "differences")));
+  System<double> system(1, {1.0, 1.0});
+  system.add<Tether>({{0, 1}}, {{4.0}});
+  Expansion<double> series(system, degree);
+  State<double> state{0.0, Coordinates<double>(2, 1), Coordinates<double>::Zero(2, 1)};
+  state.position << 1, 3;
+  series.start(state);
+  series.grow_to(2);
+  EXPECT_EQ(series.position(2)(0, 0), -2.0);  // x'' = -4 x
+  EXPECT_EQ(series.position(2)(1, 0), -6.0);
+}
+
 /// E = k/2 |d|^2 by way of the length; of max(-n . x, 0)^(5/2); and one that changes with the time.
 struct Roundabout {
   static constexpr const char* name = "roundabout";

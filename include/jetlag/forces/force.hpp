@@ -35,7 +35,8 @@
 //   };
 //
 // Where an energy has no series, its forces have none, but for r / r: of E = k/2 |d|^2 they exist at d = 0. Choices in it are
-// those of the forces; |u| has the slope 0 where u is. Such an energy may depend on the time, but not on velocities.
+// those of the forces; |u| has the slope 0 where u is. Such an energy may depend on the time, but not on velocities; that of a
+// law between particles is written in differences of positions.
 //
 // What else it may have:
 //
@@ -232,6 +233,8 @@ struct RecordedLaw {
 
 /// Whether a tape reads a kind of input; positions also by their separations.
 bool reads(const Tape& tape, Input::Kind kind);
+/// Whether it reads positions otherwise than by separations.
+bool reads_places(const Tape& tape);
 /// Whether the force of a law depends on it.
 bool reads(const RecordedLaw& law, Input::Kind kind);
 
@@ -352,6 +355,11 @@ RecordedLaw record_in_dimension() {
     if (!gives_forces<L, D> && reads(*law.energy, Input::Kind::velocity))
       throw std::invalid_argument(std::string(L::name) +
                                   ": forces from an energy that depends on velocities");
+    // The last participant gets minus the sum of the others: its own derivative only where nothing but differences counts.
+    if (!gives_forces<L, D> && !is_external<L>() && reads_places(*law.energy))
+      throw std::invalid_argument(std::string(L::name) +
+                                  ": the energy of a law between particles must be written in differences of "
+                                  "positions, x_i - x_j; or the law says that it is external");
   }
   return law;
 }
