@@ -147,6 +147,8 @@ class FrequencyMeter::Elements {
     largest_element_ = other.largest_element_;
   }
 
+  Elements(Elements&&) = default;
+
   struct WeightedTangents {
     std::size_t number;  // of the law
     ElementTangents tangents;
@@ -221,9 +223,9 @@ class FrequencyMeter::Elements {
     return false;
   }
 
-  /// kappa_e / 2 at first; later it goes with the norm.
+  /// kappa_e / 2 at first, and where that was zero, as of a tangent without a symmetric part; later it goes with the norm.
   static void weigh(WeightedTangents& law, int e, double norm) {
-    if (law.norm[e] > 0)
+    if (law.norm[e] > 0 && law.weight[e] > 0)
       law.weight[e] *= norm / law.norm[e];
     else
       law.weight[e] =

@@ -193,6 +193,29 @@ TEST(FrequencyBoundAtAState, HoldsAlongAMotionWithWeightsOfItsStart) {
   }
 }
 
+/// F = (c y - k x^3, -c x): at x = 0 the tangent is not zero, but its symmetric part is.
+struct TurningCubic {
+  static constexpr const char* name = "turning cubic";
+  static constexpr int participants = 1;
+  static constexpr std::array parameters{"turn", "stiffness"};
+  static constexpr std::array dimensions{2};
+  template <class T, int D>
+  static Vector<T, D> force(const Participants<T, D, 1>& p, const T& c, const T& k) {
+    const T &x = p.position[0][0], &y = p.position[0][1];
+    return Vector<T, D>(T(c * y) - T(k * x * x * x), T(-c * x));
+  }
+};
+
+TEST(FrequencyBoundAtAState, IsFoundAnewWhereItWasZero) {  // then sqrt(3 k x^2 / m)
+  System<double> system(2, {2.0});
+  system.add<TurningCubic>({{0}}, {{1.0, 6.0}});
+  FrequencyMeter meter(system);
+  State<double> state{0.0, Coordinates<double>::Zero(1, 2), Coordinates<double>::Zero(1, 2)};
+  EXPECT_EQ(meter(state), 0.0);
+  state.position(0, 0) = 1;
+  EXPECT_NEAR(meter(state), 3.0, 1e-9 * 3);  // largest_square is known to 1e-9
+}
+
 // ---- errors ------------------------------------------------------------------------------------------------
 
 TEST(FrequencyBoundAtAState, IsNotKnownWhereATangentIsNotFinite) {
