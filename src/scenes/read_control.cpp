@@ -122,7 +122,10 @@ std::unique_ptr<Control> read_control(const Value& control, const TruncationLaw&
                                       const System<double>& system, const State<double>& start) {
   auto inner = named(control_records(), control.at("type").text()).read(control, law);
   const auto courant = read_courant(control, system, start);
-  if (!courant) return inner;
+  if (!courant) {
+    if (const auto refresh = control.find("courant_refresh")) refresh->refuse("left out where courant is");
+    return inner;
+  }
   const auto refresh = static_cast<int>(
       control.at("courant_refresh", Courant::usual_refresh).integer(1, std::numeric_limits<int>::max()));
   return checked(control.at("courant"), [&] {

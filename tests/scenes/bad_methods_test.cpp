@@ -243,6 +243,8 @@ const BadScene bad_methods[] = {
      "fixed, jorba_zou, last_two, variance or halve_double"},
     {"ZeroStep", "/control/step", "0", "control.step", "> 0"},
     {"NegativeStep", "/control/step", "-0.1", "control.step", "got -0.1"},
+    {"CourantRefreshAlone", "/control/courant_refresh", "5", "control.courant_refresh",
+     "left out where courant is"},
     {"CourantTwo", "/control/courant", "2", "control.courant", "<= 1"},
     {"CourantOfUnstableDegree", "/control/courant", "0.9", "control.courant", "unstable"},
     {"SequentialWithVariance", "",

@@ -3,6 +3,7 @@
 // Masses of the vertices of a mesh.
 
 #include <array>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@ template <std::size_t P, class T>
   requires(P == 3 || P == 4)
 std::vector<T> lumped_masses(const Coordinates<T>& rest, const std::vector<std::array<int, P>>& elements,
                              const T& density, const T& thickness = T(1)) {
+  using std::isfinite;
   constexpr int D = P - 1;
   const auto refuse = [](const std::string& why) { throw std::invalid_argument("lumped_masses: " + why); };
   if (rest.cols() != D) refuse("positions must have " + std::to_string(D) + " components");
@@ -34,6 +36,8 @@ std::vector<T> lumped_masses(const Coordinates<T>& rest, const std::vector<std::
     }
     try {
       const T volume = detail::volume_of_material(detail::rest_shape<T, D>(x), thickness);
+      if (!isfinite(T(density * volume)))
+        throw std::invalid_argument("its positions, the thickness and its mass must be finite");
       for (const int i : elements[e]) mass[i] += density * volume / T(P);
     } catch (const std::invalid_argument& why) {
       refuse("element " + std::to_string(e) + ": " + why.what());

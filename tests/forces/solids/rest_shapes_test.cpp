@@ -138,6 +138,9 @@ TEST(LumpedMasses, AreThatOfTheBodyInEqualParts) {
   EXPECT_THAT([&] { lumped_masses<4>(mesh.position, {{0, 1, 2, 99}}, 1.0); },
               refused("element 0", "no vertex 99"));
   EXPECT_THAT([&] { lumped_masses<4>(mesh.position, {{0, 1, 1, 2}}, 1.0); }, refused("element 0", "flat"));
+  Coordinates<double> lost = mesh.position;
+  lost(0, 0) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT([&] { lumped_masses(lost, mesh.tetrahedra, 1.0); }, refused("element 0", "must be finite"));
   Coordinates<double> triangle(4, 2);
   triangle << 0, 0, 1, 0, 0, 1, 5, 5;
   EXPECT_THAT(lumped_masses<3>(triangle, {{0, 1, 2}}, 6.0, 0.5), ::testing::ElementsAre(0.5, 0.5, 0.5, 0.0));
