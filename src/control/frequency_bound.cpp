@@ -112,9 +112,13 @@ void require_no_velocities(const RecordedLaw& law) {
 
 Tangent symmetric_part(const Eigen::Map<const Eigen::MatrixXd>& k) { return 0.5 * (k + k.transpose()); }
 
-/// In ascending order. K finite.
+/// In ascending order. K finite. In two steps: SelfAdjointEigenSolver's constructor would compile eigenvectors too.
 Eigen::VectorXd eigenvalues(const Tangent& k) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(k, Eigen::EigenvaluesOnly).eigenvalues();
+  const double largest = k.cwiseAbs().maxCoeff(), scale = largest > 0 ? largest : 1.0;
+  const Eigen::Tridiagonalization<Tangent> narrow(k / scale);
+  Eigen::SelfAdjointEigenSolver<Tangent> solver;
+  solver.computeFromTridiagonal(narrow.diagonal(), narrow.subDiagonal(), Eigen::EigenvaluesOnly);
+  return scale * solver.eigenvalues();
 }
 
 /// Whether K has no eigenvalue above c > 0: c - K is positive definite.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "jetlag/motion/expansion.hpp"
+
 namespace jetlag {
 
 namespace {
