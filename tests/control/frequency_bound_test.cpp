@@ -13,6 +13,7 @@
 
 #include "jetlag/forces/forces.hpp"
 #include "jetlag/integrators/explicit/leapfrog.hpp"
+#include "jetlag/scenes/mesh.hpp"
 #include "jetlag/schedule/lockstep.hpp"
 #include "model/whole_tangent.hpp"
 #include "support/eigenvalues.hpp"
@@ -94,7 +95,7 @@ TEST(FrequencyBoundAtAState, OfBodiesIsThatOfAnIndependentProgram) {
                            {{4, 4, 4}, {1, 1, 1}, 0.49, 523.6273, 1.531},
                            {{2, 2, 8}, {0.4, 0.4, 1.6}, 0.3, 175.1087, 1.356},
                            {{4, 4, 4}, {1, 1, 0.25}, 0.3, 435.8596, 1.231}}) {
-    const auto box = problems::kuhn_mesh(body.cells, body.lengths);
+    const auto box = jetlag::box(body.lengths, body.cells);
     const Model<double> model(elastic(box, 1e5, body.poisson, 1000));
     const double truth = fastest(model, at_rest(box)), bound = frequency_bound(model, at_rest(box));
     EXPECT_NEAR(truth, body.omega, 5e-5 * (1 + 1e-6));
@@ -104,7 +105,7 @@ TEST(FrequencyBoundAtAState, OfBodiesIsThatOfAnIndependentProgram) {
 
 /// How far the particles of a body have gone from rest after 1500 steps of leapfrog, from velocities of 1e-8 m/s.
 double distance_gone(double omega_h) {
-  const auto box = problems::kuhn_mesh({3, 2, 2}, {0.6, 0.4, 0.4});
+  const auto box = jetlag::box({0.6, 0.4, 0.4}, {3, 2, 2});
   const System<double> system = elastic(box, 1e5, 0.3, 1000);
   State<double> state = at_rest(box);
   Uniform random(7);

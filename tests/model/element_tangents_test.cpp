@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "jetlag/forces/forces.hpp"
+#include "jetlag/scenes/mesh.hpp"
 #include "model/element_jacobian.hpp"
 #include "model/whole_tangent.hpp"
 #include "support/eigenvalues.hpp"
@@ -120,7 +121,7 @@ TEST(ElementTangents, AddUpToTheJacobianOfTheSystem) {
 /// The frequencies [rad/s] of a box at rest, of 1e5 Pa and 1000 kg/m^3, held at x = 0.
 std::vector<double> held_frequencies(const std::array<int, 3>& cells, const std::array<double, 3>& lengths,
                                      double poisson) {
-  const auto box = problems::kuhn_mesh(cells, lengths);
+  const auto box = jetlag::box(lengths, cells);
   System<double> system = elastic(box, 1e5, poisson, 1000);
   for (int i = 0; i < box.position.rows(); ++i)
     if (box.position(i, 0) == 0) system.fix(i);

@@ -40,6 +40,35 @@ double truncated_volume(double a, double b, double c, double lower, double upper
   return std::numbers::pi * a * b * c * ((upper + lower) - (std::pow(upper, 3) + std::pow(lower, 3)) / 3);
 }
 
+TEST(Box, IsKuhnsMesh) {
+  const Mesh mesh = box({2.0, 3.0, 4.0}, {2, 3, 4});
+  ASSERT_EQ(mesh.position.rows(), 60);
+  EXPECT_EQ(mesh.position.row((1 * 4 + 2) * 5 + 3), Eigen::RowVector3d(1, 2, 3));
+  ASSERT_EQ(mesh.tetrahedra.size(), 144u);
+  for (const auto& t : mesh.tetrahedra) {  // from corner to opposite corner, of a sixth of the cell each
+    const auto far = mesh.position.row(*std::max_element(t.begin(), t.end()));
+    EXPECT_EQ(Eigen::RowVector3d(far - mesh.position.row(t[0])), Eigen::RowVector3d::Ones());
+    EXPECT_EQ(six_volumes(mesh.position, t), 1.0);
+  }
+  EXPECT_EQ(euler_number(mesh), 1);
+  EXPECT_EQ(boundary(mesh.tetrahedra, mesh.position).size(), 2u * 2 * (6 + 8 + 12));
+}
+
+TEST(Rectangle, IsCutAlongItsDiagonals) {
+  const Mesh mesh = rectangle({2.0, 3.0}, {2, 3});
+  ASSERT_EQ(mesh.position.rows(), 12);
+  EXPECT_EQ(mesh.position.row(1 * 4 + 2), Eigen::RowVector2d(1, 2));
+  ASSERT_EQ(mesh.triangles.size(), 12u);
+  for (const auto& [a, b, c] : mesh.triangles) {  // counterclockwise, half of a cell each
+    const Eigen::RowVector2d ab = mesh.position.row(b) - mesh.position.row(a),
+                             ac = mesh.position.row(c) - mesh.position.row(a);
+    EXPECT_EQ(ab[0] * ac[1] - ab[1] * ac[0], 1.0);
+  }
+  EXPECT_EQ(mesh.edges.size(), 2u * 4 + 3u * 3 + 6u);
+  EXPECT_THROW(rectangle({2.0, 0.0}, {2, 3}), std::invalid_argument);
+  EXPECT_THROW(rectangle({2.0, 1.0}, {2, 0}), std::invalid_argument);
+}
+
 TEST(TruncatedEllipsoid, IsFilledWithoutGapsOrOverlaps) {
   const Mesh mesh = truncated_ellipsoid({0.7, 1.2, 0.8}, {8, 8}, 0.95, 0.8);
   EXPECT_EQ(mesh.position.rows(), 9 * 9 * 9);

@@ -11,6 +11,7 @@
 #include "jetlag/forces/forces.hpp"
 #include "jetlag/integrators/implicit/explicit_implicit.hpp"
 #include "jetlag/model/energy.hpp"
+#include "jetlag/scenes/mesh.hpp"
 #include "jetlag/schedule/avi.hpp"
 #include "jetlag/schedule/block.hpp"
 #include "jetlag/schedule/subcycling.hpp"
@@ -25,7 +26,7 @@ using ::testing::ThrowsMessage;
 
 /// A bar with one cell in its middle that is 100 times as stiff, hit at one end.
 Problem bar() {
-  const auto box = problems::kuhn_mesh({7, 1, 1}, {0.7, 0.1, 0.1});
+  const auto box = jetlag::box({0.7, 0.1, 0.1}, {7, 1, 1});
   std::vector<double> stiffer(box.tetrahedra.size(), 1.0);
   std::fill_n(stiffer.begin() + 3 * 6, 6, 100.0);
   Problem scene{elastic(box, 1e5, 0.3, 1000, stiffer), at_rest(box)};

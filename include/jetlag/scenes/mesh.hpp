@@ -43,6 +43,15 @@ Mesh truncated_ellipsoid(std::array<double, 3> radii, std::array<int, 2> cells, 
 /// An ellipse cut by two lines, filled with triangles: the plane section of the above.
 Mesh truncated_ellipse(std::array<double, 2> radii, std::array<int, 2> cells, double lower, double upper);
 
+/// The box [0, lengths] in cells, each cut into six tetrahedra along (1, 1, 1): Kuhn's mesh. lengths [m], > 0; cells, >= 1.
+/// Vertex (i (n_y + 1) + j)(n_z + 1) + k stands at (i, j, k) cells. The tetrahedra of a cell are next to each other; a mesh of
+/// cells half as long is cut along the faces of this one.
+/// Throws std::invalid_argument.    Source: H. Kuhn, Some combinatorial lemmas in topology, IBM J. 4 (1960) 518.
+Mesh box(const std::array<double, 3>& lengths, const std::array<int, 3>& cells);
+
+/// The same in the plane: two triangles a cell, cut along (1, 1).
+Mesh rectangle(const std::array<double, 2>& lengths, const std::array<int, 2>& cells);
+
 /// Points spacing [m] apart, counts[d] of them along axis d (1, 2 or 3 axes), in a space of `dimension`.
 /// Edges join neighbours along the axes; with `cloth` also along the diagonals (shear) and over two (bend).
 Mesh regular_grid(const std::vector<int>& counts, double spacing, int dimension, bool cloth);

@@ -10,7 +10,7 @@
 #include "jetlag/forces/solids/lame.hpp"
 #include "jetlag/model/lumped_mass.hpp"
 #include "jetlag/motion/expansion.hpp"
-#include "problems/kuhn_mesh.hpp"
+#include "jetlag/scenes/mesh.hpp"
 
 namespace jetlag::testing::solids {
 
@@ -35,7 +35,7 @@ inline Coordinates<double> forces_at(const System<double>& system, const Coordin
 
 /// A body of particles of 1 kg.
 template <class L>
-System<double> body_of(const problems::TetrahedralMesh& mesh, const Lame<double>& lame) {
+System<double> body_of(const Mesh& mesh, const Lame<double>& lame) {
   System<double> system(3, std::vector<double>(mesh.position.rows(), 1.0));
   system.add_at_rest<L>(mesh.tetrahedra, mesh.position, {{lame.lambda, lame.mu}});
   return system;

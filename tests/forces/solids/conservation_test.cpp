@@ -12,6 +12,7 @@
 #include "forces/solids/bodies.hpp"
 #include "jetlag/integrators/particle_taylor.hpp"
 #include "jetlag/model/energy.hpp"
+#include "jetlag/scenes/mesh.hpp"
 #include "support/random.hpp"
 
 namespace jetlag::testing::conservation_test {
@@ -20,7 +21,6 @@ using namespace solids;
 namespace {
 
 using Eigen::RowVector3d;
-using problems::kuhn_mesh;
 
 // ---- order by order ----------------------------------------------------------------------------------------
 
@@ -29,7 +29,7 @@ using problems::kuhn_mesh;
 template <class L>
 void expect_momentum_by_order() {
   SCOPED_TRACE(L::name);
-  const auto mesh = kuhn_mesh({2, 2, 2}, {1, 1, 1});
+  const auto mesh = jetlag::box({1, 1, 1}, {2, 2, 2});
   Uniform draw(17);
   std::vector<double> mass(27);
   for (double& m : mass) m = draw(0.5, 2);
@@ -76,7 +76,7 @@ struct Body {
 
 /// A bar of .2 m x .2 m x .6 m that flies, spins and is bent.
 Body spinning_bar() {
-  const auto mesh = kuhn_mesh({2, 2, 6}, {0.2, 0.2, 0.6});
+  const auto mesh = jetlag::box({0.2, 0.2, 0.6}, {2, 2, 6});
   Body bar{System<double>(3, lumped_masses(mesh.position, mesh.tetrahedra, density)),
            {0.0, mesh.position, Coordinates<double>(mesh.position.rows(), 3)}};
   const auto [lambda, mu] = lame(young, poisson);
@@ -139,7 +139,7 @@ TEST(SpinningBar, IsMovedByTheOrderOfTheMethod) {
 // ---- viscosity ---------------------------------------------------------------------------------------------
 
 TEST(KelvinVoigt, TakesEnergyInEveryStepAndNoMomentum) {
-  const auto mesh = kuhn_mesh({2, 2, 4}, {0.2, 0.2, 0.4});
+  const auto mesh = jetlag::box({0.2, 0.2, 0.4}, {2, 2, 4});
   Body bar{System<double>(3, lumped_masses(mesh.position, mesh.tetrahedra, density)),
            {0.0, mesh.position, Coordinates<double>(mesh.position.rows(), 3)}};
   const auto [lambda, mu] = lame(young, poisson);

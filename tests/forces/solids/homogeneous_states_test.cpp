@@ -10,14 +10,14 @@
 #include <vector>
 
 #include "forces/solids/bodies.hpp"
+#include "jetlag/output/shape.hpp"
+#include "jetlag/scenes/mesh.hpp"
 #include "support/random.hpp"
 
 namespace jetlag::testing::homogeneous_states_test {
 using namespace solids;
 
 namespace {
-
-using problems::kuhn_mesh;
 
 /// x = F X.
 Coordinates<double> deformed(const Coordinates<double>& x, const Eigen::Matrix3d& f) {
@@ -27,7 +27,7 @@ Coordinates<double> deformed(const Coordinates<double>& x, const Eigen::Matrix3d
 double largest(const Coordinates<double>& f) { return f.rowwise().norm().maxCoeff(); }
 
 TEST(Patch, PullsOnItsBoundaryOnly) {  // 24 tetrahedra at a vertex, some 40 roundings of 2^-53 each: 1e-13
-  auto mesh = kuhn_mesh({4, 4, 4}, {1, 1, 1});
+  auto mesh = jetlag::box({1, 1, 1}, {4, 4, 4});
   Uniform draw(3);
   std::vector<int> inside;
   for (int i = 0; i < mesh.position.rows(); ++i)
@@ -50,7 +50,7 @@ TEST(Patch, PullsOnItsBoundaryOnly) {  // 24 tetrahedra at a vertex, some 40 rou
 /// The first Piola-Kirchhoff stress of one tetrahedron 0, e_x, e_y, e_z of volume V = 1/6: f_i = -V P e_i.
 template <class L>
 Eigen::Matrix3d piola(const Eigen::Matrix3d& f, const Lame<double>& lame) {
-  problems::TetrahedralMesh one;
+  Mesh one;
   one.position = Coordinates<double>::Zero(4, 3);
   one.position.bottomRows(3) = Eigen::Matrix3d::Identity();
   one.tetrahedra = {{0, 1, 2, 3}};
@@ -101,8 +101,8 @@ TEST(UniaxialStretch, NearlyKeepsTheVolumeWhereItIsIncompressible) {
 // ---- pressure ----------------------------------------------------------------------------------------------
 
 TEST(Pressure, HoldsACompressedBody) {
-  const auto mesh = kuhn_mesh({3, 3, 3}, {1, 1, 1});
-  const auto faces = problems::boundary_faces(mesh.tetrahedra);
+  const auto mesh = jetlag::box({1, 1, 1}, {3, 3, 3});
+  const auto faces = boundary(mesh.tetrahedra, mesh.position);
   const auto small = deformed(mesh.position, 0.95 * Eigen::Matrix3d::Identity());
   const std::vector<double> pressures{12828.94737, 14728.31091, 11840.08615, 11689.65081};  // [Pa], by hand
   int law = 0;
@@ -124,12 +124,12 @@ TEST(Pressure, HoldsACompressedBody) {
 }
 
 TEST(Pressure, OfAClosedSurfaceNeitherPushesNorTurns) {  // 108 faces round, each 2^-53 of a force of p A / 3
-  const auto mesh = kuhn_mesh({3, 3, 3}, {1, 1, 1});
+  const auto mesh = jetlag::box({1, 1, 1}, {3, 3, 3});
   Uniform draw(7);
   auto x = mesh.position;
   for (double* c = x.data(); c != x.data() + x.size(); ++c) *c += draw(-0.1, 0.1);
   System<> system(3, std::vector<double>(x.rows(), 1.0));
-  system.add<Pressure>(problems::boundary_faces(mesh.tetrahedra), {{6.0}});
+  system.add<Pressure>(boundary(mesh.tetrahedra, mesh.position), {{6.0}});
   const auto force = forces_at(system, x);
   Eigen::Vector3d turn = Eigen::Vector3d::Zero();
   for (int i = 0; i < x.rows(); ++i) turn += Eigen::Vector3d(x.row(i)).cross(Eigen::Vector3d(force.row(i)));

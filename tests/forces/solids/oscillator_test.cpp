@@ -10,6 +10,7 @@
 #include "forces/solids/bodies.hpp"
 #include "jetlag/integrators/particle_taylor.hpp"
 #include "jetlag/model/energy.hpp"
+#include "jetlag/scenes/mesh.hpp"
 
 namespace jetlag::testing::oscillator_test {
 using namespace solids;
@@ -18,7 +19,7 @@ namespace {
 
 template <class L>
 System<double> oscillator(const Lame<double>& lame) {
-  problems::TetrahedralMesh one;
+  Mesh one;
   one.position = Coordinates<double>::Zero(4, 3);
   one.position.bottomRows(3) = Eigen::Matrix3d::Identity();
   one.tetrahedra = {{0, 1, 2, 3}};

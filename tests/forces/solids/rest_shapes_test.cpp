@@ -12,13 +12,12 @@
 #include "jetlag/forces/solids/lame.hpp"
 #include "jetlag/model/lumped_mass.hpp"
 #include "jetlag/motion/expansion.hpp"
-#include "problems/kuhn_mesh.hpp"
+#include "jetlag/scenes/mesh.hpp"
 #include "support/close.hpp"
 
 namespace jetlag::testing::rest_shapes_test {
 namespace {
 
-using problems::kuhn_mesh;
 using ::testing::AllOf;
 using ::testing::Each;
 using ::testing::HasSubstr;
@@ -127,7 +126,7 @@ TEST(Lame,
 
 TEST(LumpedMasses, AreThatOfTheBodyInEqualParts) {
   const auto mesh =
-      kuhn_mesh({2, 3, 1}, {1.0, 1.5, 0.5});  // cubes of 1/8 m^3 in six, each a quarter to its vertices
+      jetlag::box({1.0, 1.5, 0.5}, {2, 3, 1});  // cubes of 1/8 m^3 in six, each a quarter to its vertices
   const auto mass = lumped_masses(mesh.position, mesh.tetrahedra, 960.0);
   double sum = 0;
   for (const double m : mass) sum += m;
@@ -146,20 +145,11 @@ TEST(LumpedMasses, AreThatOfTheBodyInEqualParts) {
   EXPECT_THAT(lumped_masses<3>(triangle, {{0, 1, 2}}, 6.0, 0.5), ::testing::ElementsAre(0.5, 0.5, 0.5, 0.0));
 }
 
-TEST(KuhnMesh, HasTheOrderThatItSays) {
-  const auto mesh = kuhn_mesh({2, 3, 4}, {2.0, 3.0, 4.0});
-  ASSERT_EQ(mesh.position.rows(), 60);
-  EXPECT_EQ(mesh.position.row((1 * 4 + 2) * 5 + 3), Eigen::RowVector3d(1, 2, 3));
-  EXPECT_EQ(mesh.tetrahedra.size(), 144u);
-  EXPECT_THAT(lumped_masses(mesh.position, mesh.tetrahedra, 1.0), Each(::testing::Gt(0.0)));
-  EXPECT_EQ(problems::boundary_faces(mesh.tetrahedra).size(), 2u * 2 * (6 + 8 + 12));
-}
-
 /// Nothing acts in a body at rest: sums of numbers near lambda V H |d| = 3e5 Pa of edges near 1 m.
 template <class L>
 void expect_rest() {
   SCOPED_TRACE(L::name);
-  const auto mesh = kuhn_mesh({2, 2, 2}, {1.0, 1.0, 1.0});
+  const auto mesh = jetlag::box({1.0, 1.0, 1.0}, {2, 2, 2});
   System<> system(3, std::vector<double>(27, 1.0));
   const auto [lambda, mu] = lame(1e5, 0.3);
   system.add_at_rest<L>(mesh.tetrahedra, mesh.position, {{lambda, mu}});

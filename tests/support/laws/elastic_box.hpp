@@ -9,14 +9,14 @@
 #include "jetlag/forces/solids/stvk.hpp"
 #include "jetlag/model/lumped_mass.hpp"
 #include "jetlag/model/system.hpp"
-#include "problems/kuhn_mesh.hpp"
+#include "jetlag/scenes/mesh.hpp"
 
 namespace jetlag::testing {
 
 /// St. Venant-Kirchhoff's elasticity with Young's modulus [Pa], Poisson's ratio and density [kg/m^3]. stiffer: how many times
 /// stiffer each tetrahedron is; empty: none.
-inline System<double> elastic(const problems::TetrahedralMesh& mesh, double young, double poisson,
-                              double density, const std::vector<double>& stiffer = {}) {
+inline System<double> elastic(const Mesh& mesh, double young, double poisson, double density,
+                              const std::vector<double>& stiffer = {}) {
   System<double> system(3, lumped_masses(mesh.position, mesh.tetrahedra, density));
   const Lame<double> of = lame(young, poisson);
   std::vector<std::array<double, 2>> material;
@@ -28,7 +28,7 @@ inline System<double> elastic(const problems::TetrahedralMesh& mesh, double youn
   return system;
 }
 
-inline State<double> at_rest(const problems::TetrahedralMesh& mesh) {
+inline State<double> at_rest(const Mesh& mesh) {
   return {0.0, mesh.position, Coordinates<double>::Zero(mesh.position.rows(), 3), {}, {}};
 }
 
