@@ -33,15 +33,23 @@ struct LawRecord {
 };
 const std::vector<LawRecord>& law_records();
 
+/// What the forces of a scene are read into.
+struct ForcesRead {
+  const Particles& particles;
+  const std::vector<double>& up;  // a direction, shape (dimension)
+  System<double>& system;
+  Drawn drawn{};
+  std::vector<std::string> warnings{};
+};
+
 struct ForceRecord {
-  std::string name;  // in a scene: the name of the law
+  std::string name;  // in a scene
   std::string what;  // one line
   SceneKeys keys;    // beside type, without "forces[]."
-  /// Adds its elements to the system. up: a direction, shape (dimension). Returns the pairs to draw.
-  std::vector<std::array<int, 2>> (*read)(const Value& force, const Particles& particles,
-                                          const std::vector<double>& up, System<double>& system);
+  void (*read)(const Value& force, ForcesRead& into);
 };
-const std::vector<ForceRecord>& force_records();
+const std::vector<ForceRecord>& force_records();  // all of them
+std::vector<ForceRecord> solid_records();         // of tetrahedra, triangles and their faces
 
 /// Where particles come from: the key that says so is the name of the choice.
 const std::vector<Choice>& particle_choices();

@@ -21,16 +21,38 @@ struct Particles {
   State<double> state;
   std::vector<double> mass;
   std::vector<bool> fixed;
-  Mesh mesh;  // without vertices and cells where positions were listed
+  Mesh mesh;                 // without vertices and cells where positions were listed
+  Coordinates<double> rest;  // positions at rest [m], of elements whose parameters follow from them
 };
+
+/// What pictures and frames show of forces.
+struct Drawn {
+  std::vector<std::array<int, 2>> lines;
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<std::array<int, 4>> tetrahedra;
+};
+
+/// An element: a list of P different particles, 0 .. count-1.
+template <std::size_t P>
+std::array<int, P> read_members(const Value& element, Eigen::Index count) {
+  static const std::string words[] = {"no", "one", "two", "three", "four"};
+  if (!element.is_array() || element.size() != P) element.refuse(words[P] + " particles");
+  std::array<int, P> members;
+  for (std::size_t i = 0; i < P; ++i) {
+    members[i] = static_cast<int>(element.at(i).integer(0, static_cast<std::int64_t>(count) - 1));
+    if (std::find(members.begin(), members.begin() + i, members[i]) != members.begin() + i)
+      element.refuse(words[P] + " different particles");
+  }
+  return members;
+}
 
 /// "particles": listed, or made by a generator.
 Particles read_particles(const Value& particles, int dimension, std::uint64_t seed,
                          const std::filesystem::path& folder);
 
-/// "forces": adds the elements of each to the system. Returns the pairs to draw.
-std::vector<std::array<int, 2>> read_forces(const Value& forces, const Particles& particles,
-                                            System<double>& system);
+/// "forces": adds the elements of each to the system.
+Drawn read_forces(const Value& forces, const Particles& particles, System<double>& system,
+                  std::vector<std::string>& warnings);
 
 inline constexpr int largest_degree = 256;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "jetlag/forces/forces.hpp"
@@ -35,14 +36,8 @@ Pairs read_pairs(const Value& value, const Particles& particles) {
     }
   } else {
     if (!value.is_array()) value.refuse("a list of pairs of particles, \"edges\" or \"all\"");
-    const auto last = static_cast<std::int64_t>(count) - 1;
-    for (std::size_t e = 0; e < value.size(); ++e) {
-      const Value pair = value.at(e);
-      if (!pair.is_array() || pair.size() != 2) pair.refuse("two particles");
-      pairs.push_back(
-          {static_cast<int>(pair.at(0).integer(0, last)), static_cast<int>(pair.at(1).integer(0, last))});
-      if (pairs.back()[0] == pairs.back()[1]) pair.refuse("two different particles");
-    }
+    for (std::size_t e = 0; e < value.size(); ++e)
+      pairs.push_back(read_members<2>(value.at(e), particles.state.position.rows()));
   }
   return pairs;
 }
@@ -86,7 +81,8 @@ std::vector<std::array<int, 1>> moving(const Particles& particles) {
 }
 
 /// Springs of length 0 are elements of a law of their own: the others pay nothing for it.
-Pairs read_spring(const Value& force, const Particles& particles, const Components&, System<double>& system) {
+void read_spring(const Value& force, ForcesRead& into) {
+  const Particles& particles = into.particles;
   const Value listed = force.at("pairs", "edges");
   const Pairs pairs = read_pairs(listed, particles);
   const auto stiffness = force.at("stiffness").numbers(pairs.size(), non_negative, "spring");
@@ -116,14 +112,14 @@ Pairs read_spring(const Value& force, const Particles& particles, const Componen
   }
   sort_elements(of_some_length, parameters);
   sort_elements(of_none, stiffness_of_none);
-  if (!of_some_length.empty() || of_none.empty()) system.add<Spring>(of_some_length, parameters);
-  if (!of_none.empty()) system.add<ZeroLengthSpring>(of_none, stiffness_of_none);
-  of_some_length.insert(of_some_length.end(), of_none.begin(), of_none.end());
-  return of_some_length;
+  if (!of_some_length.empty() || of_none.empty()) into.system.add<Spring>(of_some_length, parameters);
+  if (!of_none.empty()) into.system.add<ZeroLengthSpring>(of_none, stiffness_of_none);
+  for (const Pairs* drawn : {&of_some_length, &of_none})
+    into.drawn.lines.insert(into.drawn.lines.end(), drawn->begin(), drawn->end());
 }
 
-Pairs read_gravity(const Value& force, const Particles& particles, const Components&,
-                   System<double>& system) {
+void read_gravity(const Value& force, ForcesRead& into) {
+  const Particles& particles = into.particles;
   const Value listed = force.at("pairs", "all");
   Pairs pairs = read_pairs(listed, particles);
   const double constant = force.at("constant", 1.0).number();
@@ -134,32 +130,34 @@ Pairs read_gravity(const Value& force, const Particles& particles, const Compone
   if (softening != 0) {
     std::vector<std::array<double, 2>> parameters(pairs.size(), {constant, softening});
     sort_elements(pairs, parameters);
-    system.add<SoftenedGravity>(pairs, parameters);
-    return {};
+    into.system.add<SoftenedGravity>(pairs, parameters);
+    return;
   }
   for (std::size_t e = 0; e < pairs.size(); ++e)
     require_apart(listed, particles, pairs, e, "gravity", "its softening > 0");
   std::vector<std::array<double, 1>> parameters(pairs.size(), {constant});
   sort_elements(pairs, parameters);
-  system.add<Gravity>(pairs, parameters);
-  return {};
+  into.system.add<Gravity>(pairs, parameters);
 }
 
-Pairs read_drag(const Value& force, const Particles& particles, const Components&, System<double>& system) {
-  const auto coefficient = force.at("coefficient").numbers(particles.mass.size(), non_negative, "particle");
-  const auto elements = moving(particles);
+/// "coefficient" [kg/s], or "rate" [1/s] times the mass.
+void read_drag(const Value& force, ForcesRead& into) {
+  const std::vector<double>& mass = into.particles.mass;
+  const auto rate = force.find("rate");
+  if (rate && force.has("coefficient")) rate->refuse("left out beside coefficient, or coefficient beside it");
+  auto coefficient = (rate ? *rate : force.at("coefficient")).numbers(mass.size(), non_negative, "particle");
+  if (rate)
+    for (std::size_t i = 0; i < mass.size(); ++i) coefficient[i] *= mass[i];
+  const auto elements = moving(into.particles);
   std::vector<std::array<double, 1>> parameters;
   for (const auto& [i] : elements) parameters.push_back({coefficient[i]});
-  system.add<Drag>(elements, parameters);
-  return {};
+  into.system.add<Drag>(elements, parameters);
 }
 
-Pairs read_uniform_field(const Value& force, const Particles& particles, const Components&,
-                         System<double>& system) {
-  auto g = force.at("acceleration").vector(particles.dimension);
+void read_uniform_field(const Value& force, ForcesRead& into) {
+  auto g = force.at("acceleration").vector(into.particles.dimension);
   g.resize(3, 0.0);
-  system.add<UniformField>(moving(particles), {{g[0], g[1], g[2]}});
-  return {};
+  into.system.add<UniformField>(moving(into.particles), {{g[0], g[1], g[2]}});
 }
 
 /// Against the uniform fields of a scene, all together, wherever in the list they are; without any the second axis, on a
@@ -193,23 +191,24 @@ std::array<double, 3> read_normal(const Value& force, int dimension, const Compo
   return unit;
 }
 
-Pairs read_floor(const Value& force, const Particles& particles, const Components& up,
-                 System<double>& system) {
+void read_floor(const Value& force, ForcesRead& into) {
+  const Particles& particles = into.particles;
   const double stiffness = force.at("stiffness").number(non_negative),
                height = force.at("height", 0.0).number();
-  const auto [x, y, z] = read_normal(force, particles.dimension, up);
+  const auto [x, y, z] = read_normal(force, particles.dimension, into.up);
   if (force.at("power", 1).integer(1, 2) == 1)
-    system.add<Floor>(moving(particles), {{stiffness, height, x, y, z}});
+    into.system.add<Floor>(moving(particles), {{stiffness, height, x, y, z}});
   else
-    system.add<QuadraticFloor>(moving(particles), {{stiffness, height, x, y, z}});
-  return {};
+    into.system.add<QuadraticFloor>(moving(particles), {{stiffness, height, x, y, z}});
 }
 
 }  // namespace
 
-const std::vector<ForceRecord>& force_records() {
-  static const SceneKey stiffness{"stiffness", "[N/m], >= 0: one for all or one for each", "required"};
-  static const std::vector<ForceRecord> records = {
+namespace {
+
+std::vector<ForceRecord> records_of_particles() {
+  const SceneKey stiffness{"stiffness", "[N/m], >= 0: one for all or one for each", "required"};
+  return {
       {Spring::name,
        "Springs between pairs of particles",
        {{"pairs", "a list, `edges` of the mesh, `all`", "edges"},
@@ -222,7 +221,8 @@ const std::vector<ForceRecord>& force_records() {
        read_spring},
       {Drag::name,
        "A force against the velocity of each particle",
-       {{"coefficient", "[kg/s], >= 0: one for all or one for each", "required"}},
+       {{"coefficient", "[kg/s], >= 0: one for all or one for each", "required, or `rate`"},
+        {"rate", "[1/s], >= 0, times the mass of each particle: one for all or one for each", "none"}},
        read_drag},
       {UniformField::name,
        "The same acceleration of all particles",
@@ -246,24 +246,34 @@ const std::vector<ForceRecord>& force_records() {
          "none: up, against the sum of all `uniform_field`, without any along the second axis"},
         {"power", "of the depth, 1 or 2", "1"}},
        read_floor}};
+}
+
+}  // namespace
+
+const std::vector<ForceRecord>& force_records() {
+  static const std::vector<ForceRecord> records = [] {
+    std::vector<ForceRecord> all = records_of_particles();
+    std::ranges::move(solid_records(), std::back_inserter(all));
+    return all;
+  }();
   return records;
 }
 
-std::vector<std::array<int, 2>> read_forces(const Value& forces, const Particles& particles,
-                                            System<double>& system) {
+Drawn read_forces(const Value& forces, const Particles& particles, System<double>& system,
+                  std::vector<std::string>& warnings) {
   const std::vector<std::string> types = names_of(force_records());
   const Components up = upwards(forces, particles.dimension);
-  Pairs lines;
+  ForcesRead into{particles, up, system};
   for (std::size_t f = 0; f < forces.size(); ++f) {
     const Value force = forces.at(f);
     if (!force.is_object()) force.refuse("an object with a type");
     const ForceRecord& record = named(force_records(), force.at("type").one_of(types));
     std::vector<std::string_view> keys = {"type"};
     for (const SceneKey& key : record.keys) keys.push_back(key.key);
-    const Pairs drawn = record.read(force.only(keys), particles, up, system);
-    lines.insert(lines.end(), drawn.begin(), drawn.end());
+    record.read(force.only(keys), into);
   }
-  return lines;
+  warnings.insert(warnings.end(), into.warnings.begin(), into.warnings.end());
+  return std::move(into.drawn);
 }
 
 }  // namespace jetlag

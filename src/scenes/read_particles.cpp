@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "jetlag/base/text.hpp"
+#include "jetlag/model/lumped_mass.hpp"
 #include "jetlag/scenes/error.hpp"
 #include "jetlag/truncation/draws.hpp"
 #include "scenes/choices.hpp"
@@ -27,12 +28,41 @@ Coordinates<double> read_rows(const Value& rows, int dimension) {
   return all;
 }
 
-/// "velocity": a vector for each particle, one vector for all, or {"normal": deviation}. Fixed particles are at rest.
+/// {"spin": [rad/s], "about": a point, "drift": [m/s]}: v_i = drift + spin x (x_i - about). In the plane spin is a number.
+void read_spin(const Value& value, Particles& particles) {
+  value.only({"spin", "about", "drift"});
+  const int dimension = particles.dimension;
+  const Coordinates<double>& x = particles.state.position;
+  const Value spin = value.at("spin");
+  if (dimension == 1) spin.refuse("left out on a line, where nothing turns");
+  Eigen::Vector3d omega = Eigen::Vector3d::Zero();
+  if (dimension == 2)
+    omega[2] = spin.number();
+  else
+    omega = Eigen::Map<const Eigen::Vector3d>(spin.vector(3).data());
+  const Eigen::Map<const Eigen::VectorXd> mass(particles.mass.data(),
+                                               static_cast<Eigen::Index>(particles.mass.size()));
+  const Eigen::RowVectorXd middle = mass.transpose() / mass.sum() * x;
+  const auto about =
+      value.at("about", std::vector<double>(middle.data(), middle.data() + dimension)).vector(dimension);
+  const auto drift = value.at("drift", std::vector<double>(dimension, 0.0)).vector(dimension);
+  for (Eigen::Index i = 0; i < x.rows(); ++i) {
+    Eigen::Vector3d arm = Eigen::Vector3d::Zero();
+    for (int c = 0; c < dimension; ++c) arm[c] = x(i, c) - about[c];
+    const Eigen::Vector3d v = omega.cross(arm);
+    for (int c = 0; c < dimension; ++c) particles.state.velocity(i, c) = drift[c] + v[c];
+  }
+}
+
+/// "velocity": a vector for each particle, one vector for all, {"normal": deviation}, or a spin. Fixed particles are at rest.
 void read_velocity(const Value& value, std::uint64_t seed, Particles& particles) {
   Coordinates<double>& velocity = particles.state.velocity;
   const auto count = static_cast<std::size_t>(velocity.rows());
   const bool listed = value.is_array() && value.size() > 0 && value.at(0).is_array();
-  if (value.is_object()) {
+  if (value.is_object() && value.has("spin")) {
+    read_spin(value, particles);
+  } else if (value.is_object()) {
+    if (!value.has("normal")) value.refuse("an object with spin or normal, a vector, or a list of vectors");
     const double deviation = value.only({"normal"}).at("normal").number(non_negative);
     for (std::size_t i = 0; i < count; ++i)
       for (int c = 0; c < particles.dimension; ++c)
@@ -84,6 +114,51 @@ Mesh read_ellipse(const Value& value) {
       cuts[0], cuts[1]);
 }
 
+Mesh read_box(const Value& value, int dimension) {
+  value.only({"lengths", "cells", "corner"});
+  if (dimension == 1) throw SceneError("dimension: got 1; must be 2 or 3 for " + value.path());
+  const auto lengths = value.at("lengths").vector(dimension, positive);
+  const Value listed = value.at("cells");
+  if (listed.size() != static_cast<std::size_t>(dimension))
+    listed.refuse("an array of " + std::to_string(dimension) + " numbers");
+  std::array<int, 3> cells{};
+  std::int64_t vertices = 1;
+  for (int axis = 0; axis < dimension; ++axis) {
+    cells[axis] = static_cast<int>(listed.at(axis).integer(1, max_particles));
+    vertices *= cells[axis] + 1;
+    if (vertices > max_particles)
+      listed.refuse("at most " + std::to_string(max_particles) + " vertices in all");
+  }
+  const auto corner = value.at("corner", std::vector<double>(dimension, 0.0)).vector(dimension);
+  Mesh mesh =
+      dimension == 3 ? box(three(lengths), cells) : rectangle({lengths[0], lengths[1]}, {cells[0], cells[1]});
+  for (int axis = 0; axis < dimension; ++axis) mesh.position.col(axis).array() += corner[axis];
+  return mesh;
+}
+
+/// "tetrahedra" in space or "triangles" in the plane of listed positions, each of different particles.
+template <std::size_t P>
+std::vector<std::array<int, P>> read_listed_cells(const Value& list, Eigen::Index count) {
+  std::vector<std::array<int, P>> cells;
+  for (std::size_t e = 0; e < list.size(); ++e) cells.push_back(read_members<P>(list.at(e), count));
+  return cells;
+}
+
+/// Of listed positions.
+Mesh read_cells(const Value& particles, int dimension, Eigen::Index count) {
+  Mesh mesh;
+  if (const auto list = particles.find("tetrahedra")) {
+    require_dimension(*list, dimension, 3);
+    mesh.tetrahedra = read_listed_cells<4>(*list, count);
+  }
+  if (const auto list = particles.find("triangles")) {
+    require_dimension(*list, dimension, 2);
+    mesh.triangles = read_listed_cells<3>(*list, count);
+  }
+  mesh.edges = edges_of(mesh.tetrahedra, mesh.triangles);
+  return mesh;
+}
+
 Mesh read_grid(const Value& particles, int dimension) {
   const Value grid = particles.at("grid");
   if (grid.size() < 1 || grid.size() > static_cast<std::size_t>(dimension))
@@ -117,9 +192,13 @@ Mesh read_mesh(const Value& value, const std::filesystem::path& folder) {
   }
 }
 
-/// "fix_below", "fix_above": holds what lies within a distance of the lowest or highest vertex, along y.
+/// "fix_below", "fix_above": holds what lies within a distance of the lowest or highest vertex, along "fix_axis".
 void fix_ends(const Value& value, Particles& particles) {
-  const auto height = particles.state.position.col(std::min(1, particles.dimension - 1));
+  const std::vector<std::string> axes{"x", "y", "z"};
+  const std::string usual = axes[std::min(1, particles.dimension - 1)];
+  const std::string named =
+      value.at("fix_axis", usual).one_of({axes.begin(), axes.begin() + particles.dimension});
+  const auto height = particles.state.position.col(std::ranges::find(axes, named) - axes.begin());
   if (const auto below = value.find("fix_below")) {
     const double limit = height.minCoeff() + below->number(non_negative);
     for (Eigen::Index i = 0; i < height.size(); ++i)
@@ -135,10 +214,37 @@ void fix_ends(const Value& value, Particles& particles) {
 /// Numbers within the range of double may be made into others that are not.
 void require_finite(const Value& particles, const char* key, const Coordinates<double>& rows) {
   if (rows.allFinite() && rows.cwiseAbs().maxCoeff() < 1e150) return;
-  for (const char* maker : {key, "mesh", "ellipsoid", "ellipse"})
+  for (const char* maker : {key, "mesh", "ellipsoid", "ellipse", "box"})
     if (particles.has(maker))
       throw SceneError(particles.path() + "." + maker +
                        ": makes numbers beyond 1e150, whose squares overflow; must be " + "smaller");
+}
+
+/// "mass", or that of the elements of the mesh by "density".
+void read_mass(const Value& value, Particles& particles) {
+  const Mesh& mesh = particles.mesh;
+  const auto count = static_cast<std::size_t>(particles.rest.rows());
+  const Range any{1e-300, 1e300, true, true, "a number > 0, from 1e-300 to 1e300"};
+  const auto density = value.find("density");
+  if (!density) {
+    particles.mass = value.at("mass", 1.0).numbers(count, any, "particle");
+    return;
+  }
+  if (value.has("mass")) density->refuse("left out beside mass, or mass beside it");
+  const double rho = density->number(any);
+  const double thickness = particles.dimension == 2 ? value.at("thickness", 1.0).number(positive) : 1.0;
+  if (mesh.tetrahedra.empty() && mesh.triangles.empty())
+    density->refuse("left out, and mass in its place: these particles have no tetrahedra or triangles");
+  particles.mass = checked(*density, [&] {
+    return particles.dimension == 3 ? lumped_masses(particles.rest, mesh.tetrahedra, rho)
+                                    : lumped_masses(particles.rest, mesh.triangles, rho, thickness);
+  });
+  for (std::size_t i = 0; i < count; ++i)
+    if (!any.contains(particles.mass[i]))
+      throw SceneError(density->path() + ": gives particle " + std::to_string(i) + " a mass of " +
+                       shown(particles.mass[i]) + " kg" +
+                       (particles.mass[i] == 0 ? ", because it is in no element" : "") +
+                       "; must be > 0, from 1e-300 to 1e300; or list mass");
 }
 
 /// The key that says where particles come from: of the first generator that is there, or "position".
@@ -152,25 +258,61 @@ std::string origin_of(const Value& particles) {
 
 const std::vector<Choice>& particle_choices() {
   static const SceneKey mass{"mass", "[kg], 1e-300 to 1e300: one for all or a list", "1"},
-      velocity{"velocity",
-               "[m/s], one vector for all or a list; a generator takes `{\"normal\": deviation}` too", "0"},
+      velocity{
+          "velocity",
+          "[m/s], one vector for all or a list; `{\"normal\": deviation}`: normal numbers; `{\"spin\": w, "
+          "\"about\": point, \"drift\": v}`: drift + spin x (x - about), spin [rad/s] a vector, in the "
+          "plane a number, about the centre of mass where it is left out",
+          "0"},
+      density{"density",
+              "[kg/m^3], > 0, of tetrahedra or triangles, in place of mass: each hands its mass to its "
+              "vertices in "
+              "equal parts",
+              "none"},
+      thickness{"thickness", "[m], > 0, of triangles beside density", "none in space; 1 in the plane"},
+      rest{"rest", "positions [m] at which elements of solids are at rest, a vector for each particle",
+           "none: where they begin"},
       fixed{"fixed", "a list of particles that do not move", "none"};
   static const auto generator = [](const SceneKeys& own, const SceneKey& springs) {
-    return joined({own,
-                   {mass,
-                    velocity,
-                    fixed,
-                    {"fix_below",
-                     "fixes what is within this distance of the lowest [m], along the second axis", "none"},
-                    {"fix_above", "the same of the highest", "none"},
-                    springs}});
+    return joined(
+        {own,
+         {mass,
+          density,
+          thickness,
+          rest,
+          velocity,
+          fixed,
+          {"fix_below", "fixes what is within this distance of the lowest [m], along `fix_axis`", "none"},
+          {"fix_above", "the same of the highest", "none"},
+          {"fix_axis", "`x`, `y` or `z`", "y"},
+          springs}});
   };
   static const SceneKey edges{"springs", "which edges there are for springs: `edges`", "edges"};
   static const std::string radii =
       "an object: `radii` [m] along the axes, `cells` (how many across and along), "
       "`cut` (two fractions of the second radius, 0 to 1, where it is cut off)";
   static const std::vector<Choice> choices = {
-      {"position", {{"position", "[m], a vector for each particle", "required"}, velocity, mass, fixed}},
+      {"position",
+       {{"position", "[m], a vector for each particle", "required"},
+        {"tetrahedra",
+         "elements of solids in space: lists of four particles, with (x_1 - x_0) . ((x_2 - x_0) x (x_3 - "
+         "x_0)) > 0 "
+         "at rest",
+         "none"},
+        {"triangles", "elements in the plane: lists of three particles, counterclockwise at rest", "none"},
+        velocity,
+        mass,
+        density,
+        thickness,
+        rest,
+        fixed}},
+      {"box",
+       generator({{"box",
+                   "tetrahedra, in the plane triangles: an object with `lengths` [m] along the axes, "
+                   "`cells` along each, and its lowest `corner` [m] (the origin where it is left out). "
+                   "Each cell is cut along its diagonal (1, 1, 1) (Kuhn's mesh)",
+                   "required"}},
+                 edges)},
       {"mesh", generator({{"mesh",
                            "a Medit file (.mesh) of tetrahedra, beside the scene or with its path; sections "
                            "of other things are passed over, tetrahedra of negative volume turned round",
@@ -204,10 +346,13 @@ Particles read_particles(const Value& value, int dimension, std::uint64_t seed,
   } else if (origin == "ellipse") {
     require_dimension(value.at("ellipse"), dimension, 2);
     particles.mesh = read_ellipse(value.at("ellipse"));
+  } else if (origin == "box") {
+    particles.mesh = read_box(value.at("box"), dimension);
   } else if (origin == "grid") {
     particles.mesh = read_grid(value, dimension);
   } else {
     particles.state.position = read_rows(value.at("position"), dimension);
+    particles.mesh = read_cells(value, dimension, particles.state.position.rows());
   }
   if (!value.has("position")) {
     particles.state.position = particles.mesh.position;
@@ -216,17 +361,21 @@ Particles read_particles(const Value& value, int dimension, std::uint64_t seed,
   const auto count = static_cast<std::size_t>(particles.state.position.rows());
   if (count == 0) value.at("position").refuse("at least one particle");
 
-  particles.mass =
-      value.at("mass", 1.0)
-          .numbers(count, {1e-300, 1e300, true, true, "a number > 0, from 1e-300 to 1e300"}, "particle");
+  particles.rest = particles.state.position;
+  if (const auto rest = value.find("rest")) {
+    if (rest->size() != count) rest->refuse("as many positions as particles, " + std::to_string(count));
+    particles.rest = read_rows(*rest, dimension);
+  }
+  read_mass(value, particles);
   particles.fixed.assign(count, false);
   const Value fixed = value.at("fixed", JsonText{"[]"});
   for (std::size_t i = 0; i < fixed.size(); ++i)
     particles.fixed[fixed.at(i).integer(0, static_cast<std::int64_t>(count) - 1)] = true;
-  fix_ends(value, particles);
+  if (origin != "position") fix_ends(value, particles);
   particles.state.velocity = Coordinates<double>::Zero(particles.state.position.rows(), dimension);
   read_velocity(value.at("velocity", std::vector<double>(dimension, 0.0)), seed, particles);
   require_finite(value, value.has("position") ? "position" : "grid", particles.state.position);
+  require_finite(value, "rest", particles.rest);
   require_finite(value, "velocity", particles.state.velocity);
   return particles;
 }

@@ -45,14 +45,17 @@ std::array<int, 3> up_of(const System<double>& system) {
   return nearest;
 }
 
-Shape shape_of(const Particles& particles, std::vector<std::array<int, 2>> lines) {
+/// The cells are those of the mesh; without one, those that forces name.
+Shape shape_of(const Particles& particles, Drawn drawn) {
   Shape shape;
   shape.dimension = particles.dimension;
   shape.particles = static_cast<int>(particles.mass.size());
-  shape.lines = std::move(lines);
-  shape.tetrahedra = particles.mesh.tetrahedra;
-  shape.surface = shape.tetrahedra.empty() ? particles.mesh.triangles
-                                           : boundary(shape.tetrahedra, particles.state.position);
+  shape.lines = std::move(drawn.lines);
+  const bool has_cells = !particles.mesh.tetrahedra.empty() || !particles.mesh.triangles.empty();
+  shape.tetrahedra = has_cells ? particles.mesh.tetrahedra : std::move(drawn.tetrahedra);
+  shape.surface = !shape.tetrahedra.empty() ? boundary(shape.tetrahedra, particles.rest)
+                  : has_cells               ? particles.mesh.triangles
+                                            : std::move(drawn.triangles);
   for (std::size_t i = 0; i < particles.fixed.size(); ++i)
     if (particles.fixed[i]) shape.fixed.push_back(static_cast<int>(i));
   return shape;
@@ -101,12 +104,12 @@ Scene read(Document& document, const std::filesystem::path& folder) {
   auto system = std::make_shared<System<double>>(dimension, particles.mass);
   for (std::size_t i = 0; i < particles.fixed.size(); ++i)
     if (particles.fixed[i]) system->fix(static_cast<int>(i));
-  auto lines = read_forces(value.at("forces", JsonText{"[]"}), particles, *system);
+  Drawn drawn = read_forces(value.at("forces", JsonText{"[]"}), particles, *system, scene.warnings);
   Method method = read_method(value, system, particles.state, scene.seed);
 
   require_memory(*system, static_cast<int>(method.largest_degree), value.at("particles"));
   require_energy(*system, particles.state, value.at("particles"));
-  scene.shape = shape_of(particles, std::move(lines));
+  scene.shape = shape_of(particles, std::move(drawn));
   scene.shape.up = up_of(*system);
   scene.initial = std::move(particles.state);
   scene.system = std::move(system);

@@ -120,8 +120,9 @@ std::string scene_page() {
          "\nA mesh has edges, faces and tetrahedra; springs may lie along its edges.\n\n## Forces\n\n" +
          sections(force_records()) +
          "## Controls of Taylor's methods\n\nHow far a step goes. Each takes `courant` too: a fraction of "
-         "the stability "
-         "limit of the springs, > 0 and <= 1, that no step exceeds.\n\n" +
+         "the stability limit of springs and solids, > 0 and <= 1, that no step exceeds; of solids it is "
+         "that of their state, "
+         "found anew every `courant_refresh` steps.\n\n" +
          sections(control_records()) +
          "## Laws of random degrees\n\n`integrator.law` of `random_taylor`: where a series stops.\n\n" +
          sections(law_records()) + below;

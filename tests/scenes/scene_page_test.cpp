@@ -64,12 +64,13 @@ void expect_defaults(const SceneKeys& keys, const Json& read) {
 }
 
 TEST(ScenePage, HasTheDefaultsOfForces) {
+  const Json cube = {{"box", {{"lengths", {1, 1, 1}}, {"cells", {1, 1, 1}}}}};
   for (const ForceRecord& record : force_records()) {
     Json force = {{"type", record.name}};
     for (const SceneKey& key : record.keys)
-      if (key.fallback == "required") force[key.key] = key.key == "acceleration" ? Json{0, 0, 1} : Json(1);
-    expect_defaults(record.keys,
-                    read({{"grid", {2, 2}}, {"spacing", 1}}, Json::array({force})).at("forces").at(0));
+      if (key.fallback.starts_with("required"))
+        force[key.key] = key.key == "acceleration" || key.key == "stress" ? Json{0, 0, 1} : Json(0.25);
+    expect_defaults(record.keys, read(cube, Json::array({force})).at("forces").at(0));
   }
 }
 

@@ -12,5 +12,8 @@ BuiltInScene two_body();
 BuiltInScene cloth();
 BuiltInScene chain();
 BuiltInScene stiff_spot();
+BuiltInScene beam();
+BuiltInScene spinning_bar();
+BuiltInScene inclusion();
 
 }  // namespace jetlag

@@ -1,0 +1,417 @@
+// SPDX-License-Identifier: MIT
+// Forces of solids: elastic tetrahedra and triangles, and loads on the faces of tetrahedra.
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "jetlag/base/text.hpp"
+#include "jetlag/forces/forces.hpp"
+#include "jetlag/forces/solids/lame.hpp"
+#include "jetlag/output/shape.hpp"
+#include "jetlag/scenes/error.hpp"
+#include "scenes/choices.hpp"
+#include "scenes/parts.hpp"
+
+namespace jetlag {
+
+namespace {
+
+template <std::size_t P>
+using Cells = std::vector<std::array<int, P>>;
+
+/// Where it stands in a list; all of what a word stands for have the path of the word.
+std::string path_of(const Value& list, std::size_t e) {
+  return list.is_array() ? list.path() + "[" + std::to_string(e) + "]"
+                         : list.path() + ", number " + std::to_string(e);
+}
+
+// ---- which elements --------------------------------------------------------------------------------------
+
+/// {"inside": [low, high]}, {"outside": [low, high]}: cells whose middle at rest is within the box of two corners, or not.
+template <std::size_t P>
+Cells<P> selected(const Value& value, const Cells<P>& from, const Particles& particles) {
+  value.only({"inside", "outside"});
+  const bool inside = value.has("inside");
+  if (inside == value.has("outside")) value.refuse("an object with inside or outside");
+  const Value corners = value.at(inside ? "inside" : "outside");
+  const int dimension = particles.dimension;
+  if (!corners.is_array() || corners.size() != 2) corners.refuse("two corners of a box, the lowest first");
+  const auto low = corners.at(0).vector(dimension), high = corners.at(1).vector(dimension);
+  Cells<P> kept;
+  for (const auto& cell : from) {
+    bool within = true;
+    for (int c = 0; c < dimension; ++c) {
+      double middle = 0;
+      for (const int i : cell) middle += particles.rest(i, c) / P;
+      within = within && low[c] <= middle && middle <= high[c];
+    }
+    if (within == inside) kept.push_back(cell);
+  }
+  if (kept.empty()) value.refuse("such that there are elements");
+  return kept;
+}
+
+template <std::size_t P>
+const Cells<P>& cells_of(const Mesh& mesh) {
+  if constexpr (P == 4)
+    return mesh.tetrahedra;
+  else
+    return mesh.triangles;
+}
+
+/// "elements": "mesh", a part of it, or a list.
+template <std::size_t P>
+Cells<P> read_elements(const Value& value, const Particles& particles, Drawn& drawn) {
+  const Cells<P>& mesh = cells_of<P>(particles.mesh);
+  if (!value.is_array()) {
+    if (!value.is_object()) value.one_of({"mesh"});
+    if (mesh.empty())
+      value.refuse(std::string("a list of ") + (P == 4 ? "tetrahedra" : "triangles") +
+                   ": these particles have none");
+    return value.is_object() ? selected<P>(value, mesh, particles) : mesh;
+  }
+  Cells<P> cells;
+  for (std::size_t e = 0; e < value.size(); ++e)
+    cells.push_back(read_members<P>(value.at(e), particles.rest.rows()));
+  if constexpr (P == 4)
+    drawn.tetrahedra.insert(drawn.tetrahedra.end(), cells.begin(), cells.end());
+  else
+    drawn.triangles.insert(drawn.triangles.end(), cells.begin(), cells.end());
+  return cells;
+}
+
+template <std::size_t P>
+std::array<Vector<double, P - 1>, P> corners_of(const std::array<int, P>& cell,
+                                                const Coordinates<double>& position) {
+  std::array<Vector<double, P - 1>, P> x;
+  for (std::size_t i = 0; i < P; ++i) x[i] = position.row(cell[i]);
+  return x;
+}
+
+template <std::size_t P>
+std::vector<detail::RestShape<double, P - 1>> rest_shapes(const Value& value, const Cells<P>& cells,
+                                                          const Coordinates<double>& rest) {
+  std::vector<detail::RestShape<double, P - 1>> shapes;
+  for (std::size_t e = 0; e < cells.size(); ++e) try {
+      shapes.push_back(detail::rest_shape<double, P - 1>(corners_of<P>(cells[e], rest)));
+    } catch (const std::invalid_argument& why) {
+      throw SceneError(path_of(value, e) + ": " + why.what());
+    }
+  return shapes;
+}
+
+// ---- of what they are made -------------------------------------------------------------------------------
+
+struct Material {
+  std::vector<Lame<double>> elastic, viscous;  // [Pa], [Pa s]: of each element
+  double thickness = 1;                        // [m]
+  bool is_viscous = false;
+};
+
+std::vector<Lame<double>> read_lame(const Value& force, std::size_t count,
+                                    std::vector<std::string>& warnings) {
+  if (const auto constants = force.find("lame")) {
+    for (const char* other : {"young", "poisson"})
+      if (force.has(other)) constants->refuse(std::string("left out beside ") + other);
+    const auto both = constants->vector(2);
+    checked(*constants, [&] {
+      detail::require_elastic(both[0], both[1]);
+      return true;
+    });
+    return std::vector<Lame<double>>(count, {both[0], both[1]});
+  }
+  const auto young = force.at("young").numbers(count, positive, "element");
+  const Value ratio = force.at("poisson");
+  const auto poisson =
+      ratio.numbers(count,
+                    {-1, 0.5, false, false,
+                     "a number > -1 and < 0.5: 0.5 is incompressible, where the stiffness is infinite; 0.499 "
+                     "is the most that is worth trying"},
+                    "element");
+  if (const double most = count > 0 ? std::ranges::max(poisson) : 0.0; most > 0.45)
+    warnings.push_back(
+        ratio.path() + ": " + shown(most) +
+        " is nearly incompressible, where linear elements lock: the body is too stiff (a "
+        "cantilever of 20 x 4 x 4 cells at 0.499 vibrates 2.8 times too fast); finer meshes help "
+        "little");
+  std::vector<Lame<double>> constants;
+  for (std::size_t e = 0; e < count; ++e) constants.push_back(lame(young[e], poisson[e]));
+  return constants;
+}
+
+std::vector<Lame<double>> read_viscosity(const Value& force, const std::vector<Lame<double>>& elastic) {
+  std::vector<Lame<double>> viscous;
+  if (const auto viscosity = force.find("viscosity")) {
+    if (force.has("damping_time")) viscosity->refuse("left out beside damping_time");
+    viscosity->only({"bulk_like", "shear"});
+    const Value bulk = viscosity->at("bulk_like", 0.0);
+    const double lambda = bulk.number(), mu = viscosity->at("shear").number(non_negative);
+    if (!(3 * lambda + 2 * mu >= 0)) bulk.refuse("a number >= -2/3 of shear");
+    viscous.assign(elastic.size(), {lambda, mu});
+  } else {
+    const auto time = force.at("damping_time", 0.0).numbers(elastic.size(), non_negative, "element");
+    for (std::size_t e = 0; e < elastic.size(); ++e)
+      viscous.push_back({time[e] * elastic[e].lambda, time[e] * elastic[e].mu});
+  }
+  return viscous;
+}
+
+Material read_material(const Value& force, const ForcesRead& into, std::size_t count, bool has_plane_stress,
+                       std::vector<std::string>& warnings) {
+  Material material;
+  material.elastic = read_lame(force, count, warnings);
+  material.viscous = read_viscosity(force, material.elastic);
+  material.is_viscous =
+      std::ranges::any_of(material.viscous, [](const auto& v) { return v.lambda != 0 || v.mu != 0; });
+  if (into.particles.dimension == 3) {
+    for (const char* key : {"plane", "thickness"})
+      if (const auto value = force.find(key)) value->refuse("left out in space");
+    return material;
+  }
+  material.thickness = force.at("thickness", 1.0).number(positive);
+  const Value plane = force.at("plane", "strain");
+  if (plane.one_of({"strain", "stress"}) == "strain") return material;
+  if (!has_plane_stress)
+    plane.refuse("strain: of this law the stretch across would be the root of an equation; stvk has stress");
+  for (auto* constants : {&material.elastic, &material.viscous})
+    for (Lame<double>& of : *constants)
+      if (of.mu > 0) of = plane_stress(of);
+  return material;
+}
+
+/// Names elements whose own Courant step is below a hundredth of the usual one. Bound of their stiffness:
+/// (lambda + 2 mu) V sum |g_i|^2, g_i = c_i / Delta the gradients of their linear functions; of their inertia: their lightest
+/// vertex.
+template <std::size_t P>
+void warn_of_slivers(const Value& value, const Cells<P>& cells, const Particles& particles,
+                     const Material& material, std::vector<std::string>& warnings) {
+  std::vector<double> rate;
+  for (std::size_t e = 0; e < cells.size(); ++e) {
+    const auto c = detail::cofactors(detail::edges<double, P - 1>(corners_of<P>(cells[e], particles.rest)));
+    Vector<double, P - 1> last = Vector<double, P - 1>::Zero();
+    double squares = 0, lightest = infinite;
+    for (const auto& own : c) {
+      squares += own.squaredNorm();
+      last += own;
+    }
+    const double determinant =
+        detail::edges<double, P - 1>(corners_of<P>(cells[e], particles.rest))[0].dot(c[0]);
+    for (const int i : cells[e]) lightest = std::min(lightest, particles.mass[i]);
+    const auto& [lambda, mu] = material.elastic[e];
+    rate.push_back(
+        std::sqrt((std::abs(lambda) + 2 * mu) * (squares + last.squaredNorm()) / determinant / lightest));
+  }
+  if (rate.empty()) return;
+  std::vector<double> sorted = rate;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::ranges::nth_element(sorted, middle);
+  const double usual = *middle;
+  const auto count = std::ranges::count_if(rate, [&](double r) { return r > 100 * usual; });
+  if (count == 0) return;
+  const auto worst = static_cast<std::size_t>(std::ranges::max_element(rate) - rate.begin());
+  warnings.push_back(path_of(value, worst) + ": " +
+                     (count == 1 ? "a sliver" : "the worst of " + std::to_string(count) + " slivers") +
+                     ": its own Courant step is some " + shown(rate[worst] / usual) +
+                     " times shorter than the usual one, and so are all steps of one clock");
+}
+
+/// Elements that are flat or inside out where they begin.
+template <std::size_t P>
+void require_positive(const Value& value, const Cells<P>& cells, const Particles& particles) {
+  for (std::size_t e = 0; e < cells.size(); ++e) {
+    const auto now = detail::edges<double, P - 1>(corners_of<P>(cells[e], particles.state.position)),
+               then = detail::edges<double, P - 1>(corners_of<P>(cells[e], particles.rest));
+    const double ratio = now[0].dot(detail::cofactors(now)[0]) / then[0].dot(detail::cofactors(then)[0]);
+    if (!(ratio > 0))
+      throw SceneError(path_of(value, e) + ": begins with " + shown(ratio) +
+                       " times its volume at rest; must be > 0 for neo_hookean: use stable_neo_hookean");
+  }
+}
+
+/// Adds elements of law L and their viscosity.
+template <ForceLaw L, ForceLaw Viscous>
+void add_solid(const Value& force, ForcesRead& into, bool has_plane_stress = false,
+               bool must_be_positive = false) {
+  constexpr std::size_t P = L::participants;
+  const Value listed = force.at("elements", "mesh");
+  const Cells<P> cells = read_elements<P>(listed, into.particles, into.drawn);
+  rest_shapes<P>(listed, cells, into.particles.rest);
+  const Material material = read_material(force, into, cells.size(), has_plane_stress, into.warnings);
+  if (must_be_positive) require_positive<P>(listed, cells, into.particles);
+  warn_of_slivers<P>(listed, cells, into.particles, material, into.warnings);
+  const auto constants = [&](const std::vector<Lame<double>>& of) {
+    std::vector<std::array<double, L::material.size()>> all;
+    for (const auto& [lambda, mu] : of)
+      if constexpr (P == 4)
+        all.push_back({lambda, mu});
+      else
+        all.push_back({lambda, mu, material.thickness});
+    return all;
+  };
+  checked(force, [&] {
+    into.system.add_at_rest<L>(cells, into.particles.rest, constants(material.elastic));
+    if (material.is_viscous)
+      into.system.add_at_rest<Viscous>(cells, into.particles.rest, constants(material.viscous));
+    return true;
+  });
+}
+
+/// Runs one of two, for the dimension of space.
+template <class Space, class Plane>
+void by_dimension(const Value& force, const ForcesRead& into, Space in_space, Plane in_the_plane) {
+  switch (into.particles.dimension) {
+    case 3: return in_space();
+    case 2: return in_the_plane();
+    default: throw SceneError("dimension: got 1; must be 2 or 3 for " + force.path());
+  }
+}
+
+void read_neo_hookean(const Value& force, ForcesRead& into) {
+  by_dimension(
+      force, into, [&] { add_solid<NeoHookean, KelvinVoigt>(force, into, false, true); },
+      [&] { add_solid<PlaneNeoHookean, PlaneKelvinVoigt>(force, into, false, true); });
+}
+
+void read_stable_neo_hookean(const Value& force, ForcesRead& into) {
+  const bool barrier = force.at("barrier", true).boolean();
+  by_dimension(
+      force, into,
+      [&] {
+        if (barrier)
+          add_solid<StableNeoHookean, KelvinVoigt>(force, into);
+        else
+          add_solid<PolynomialNeoHookean, KelvinVoigt>(force, into);
+      },
+      [&] {
+        if (barrier)
+          add_solid<PlaneStableNeoHookean, PlaneKelvinVoigt>(force, into);
+        else
+          add_solid<PlanePolynomialNeoHookean, PlaneKelvinVoigt>(force, into);
+      });
+}
+
+void read_stvk(const Value& force, ForcesRead& into) {
+  by_dimension(
+      force, into, [&] { add_solid<Stvk, KelvinVoigt>(force, into, true); },
+      [&] { add_solid<PlaneStvk, PlaneKelvinVoigt>(force, into, true); });
+}
+
+// ---- loads on faces --------------------------------------------------------------------------------------
+
+std::array<int, 3> sorted(std::array<int, 3> face) {
+  std::ranges::sort(face);
+  return face;
+}
+
+/// "faces": "boundary", a part of it, or a list; turned so that they go left as seen from outside.
+Cells<3> read_faces(const Value& value, const Particles& particles) {
+  if (particles.dimension != 3)
+    throw SceneError("dimension: got " + std::to_string(particles.dimension) + "; must be 3 for " +
+                     value.path());
+  if (particles.mesh.tetrahedra.empty())
+    value.refuse("left out with its force: these particles have no tetrahedra");
+  const Cells<3> outside = boundary(particles.mesh.tetrahedra, particles.rest);
+  if (value.is_object()) return selected<3>(value, outside, particles);
+  if (!value.is_array()) {
+    value.one_of({"boundary"});
+    return outside;
+  }
+  std::map<std::array<int, 3>, std::array<int, 3>> turned;
+  for (const auto& face : outside) turned[sorted(face)] = face;
+  Cells<3> faces;
+  for (std::size_t e = 0; e < value.size(); ++e) {
+    const auto found = turned.find(sorted(read_members<3>(value.at(e), particles.rest.rows())));
+    if (found == turned.end()) value.at(e).refuse("a face of exactly one tetrahedron");
+    faces.push_back(found->second);
+  }
+  return faces;
+}
+
+void read_traction(const Value& force, ForcesRead& into) {
+  const Cells<3> faces = read_faces(force.at("faces", "boundary"), into.particles);
+  const auto t = force.at("stress").vector(3);
+  checked(force, [&] {
+    into.system.add_at_rest<Traction>(faces, into.particles.rest, {{t[0], t[1], t[2]}});
+    return true;
+  });
+}
+
+/// Whether each edge is run through both ways.
+bool is_closed(const Cells<3>& faces) {
+  std::multiset<std::array<int, 2>> edges;
+  for (const auto& face : faces)
+    for (int i = 0; i < 3; ++i) edges.insert({face[i], face[(i + 1) % 3]});
+  return std::ranges::all_of(
+      edges, [&](const auto& edge) { return edges.count(edge) == edges.count({edge[1], edge[0]}); });
+}
+
+void read_pressure(const Value& force, ForcesRead& into) {
+  const Value listed = force.at("faces", "boundary");
+  const Cells<3> faces = read_faces(listed, into.particles);
+  const auto pressure = force.at("pressure").numbers(faces.size(), any_number, "face");
+  std::vector<std::array<double, 1>> parameters;
+  for (const double p : pressure) parameters.push_back({p});
+  if (!is_closed(faces))
+    into.warnings.push_back(listed.path() +
+                            ": the surface is open, where a pressure that follows it has no energy: what it "
+                            "works is missing in the sums of energies");
+  into.system.add<Pressure>(faces, parameters);
+}
+
+}  // namespace
+
+std::vector<ForceRecord> solid_records() {
+  const SceneKeys elastic = {
+      {"elements",
+       "`mesh`: all tetrahedra, in the plane triangles, of the particles; `{\"inside\": [low, high]}` or "
+       "`{\"outside\": [low, high]}`: those whose middle at rest is in a box of two corners, or not; or a "
+       "list",
+       "mesh"},
+      {"young", "Young's modulus [Pa], > 0: one for all or one for each element", "required, or `lame`"},
+      {"poisson",
+       "Poisson's ratio, > -1 and < 0.5: one for all or one for each. Above 0.45 linear elements lock",
+       "required, or `lame`"},
+      {"lame", "both constants of Lame [Pa], lambda and mu, in place of young and poisson", "none"},
+      {"damping_time",
+       "[s], >= 0, of Kelvin and Voigt's viscosity: this times the elastic constants; a vibration of "
+       "frequency w has "
+       "the damping ratio w times half of it. One for all or one for each",
+       "0"},
+      {"viscosity", "`{\"bulk_like\": lambda, \"shear\": mu}` [Pa s], in place of damping_time", "none"},
+      {"thickness", "[m], > 0, of triangles", "none in space; 1 in the plane"},
+      {"plane", "in the plane: `strain`; of `stvk` also `stress`", "none in space; strain in the plane"}};
+  const SceneKey faces{
+      "faces",
+      "`boundary`: all faces of one tetrahedron; `{\"inside\": [low, high]}` or `outside`: those whose "
+      "middle at rest is in a box of two corners, or not; or a list of three particles each",
+      "boundary"};
+  return {
+      {"neo_hookean",
+       "Elastic tetrahedra or triangles (plane strain) that resist compression to a point without bounds: "
+       "they never "
+       "turn inside out",
+       elastic, read_neo_hookean},
+      {"stable_neo_hookean",
+       "Elastic elements that may turn inside out and come back: Smith, de Goes and Kim 2018",
+       joined({elastic,
+               {{"barrier", "true: with their logarithm against total collapse; false: a polynomial, cheaper",
+                 "true"}}}),
+       read_stable_neo_hookean},
+      {"stvk",
+       "Elastic elements linear in Green's strain (St. Venant-Kirchhoff): soft under strong compression, "
+       "where they "
+       "may turn inside out and stay so",
+       elastic, read_stvk},
+      {Traction::name,
+       "A load on faces of tetrahedra that keeps its direction",
+       {faces, {"stress", "force for each area at rest [Pa], three components", "required"}},
+       read_traction},
+      {Pressure::name,
+       "A pressure from outside on faces of tetrahedra, that follows them",
+       {faces, {"pressure", "[Pa]: one for all or one for each face", "required"}},
+       read_pressure}};
+}
+
+}  // namespace jetlag
