@@ -31,6 +31,19 @@ std::string all_of(const Work& work) {
                        {"wake_ups", json::value(work.wake_ups)}});
 }
 
+std::string all_of(const std::vector<Deformation>& solids) {
+  json::Members members;
+  for (const Deformation& of : solids)
+    members.emplace_back(of.law, json::object({{"count", json::value(of.count)},
+                                               {"volume", json::value(of.volume)},
+                                               {"min_J", json::value(of.min_j)},
+                                               {"min_J_element", json::list_of(of.min_j_element)},
+                                               {"min_J_time", json::value(of.min_j_time)},
+                                               {"max_stretch", json::value(of.max_stretch)},
+                                               {"inverted", json::value(of.inverted)}}));
+  return json::object(members);
+}
+
 }  // namespace
 
 std::string to_json(const Summary& summary) {
@@ -44,6 +57,7 @@ std::string to_json(const Summary& summary) {
                   {"momentum", json::object({{"initial", json::list_of(summary.initial_momentum)},
                                              {"final", json::list_of(summary.final_momentum)}})},
                   {"work", all_of(summary.work)},
+                  {"elements", all_of(summary.elements)},
                   {"wall_seconds", json::value(summary.wall_seconds)},
                   {"version", json::value(summary.version)},
                   {"seed", json::value(summary.seed)},

@@ -44,7 +44,7 @@ struct Cells {
   std::string text;
 };
 
-/// All cells have the same number of corners. type: 1 vertex, 3 line, 10 tetrahedron.
+/// All cells have the same number of corners. type: 1 vertex, 3 line, 5 triangle, 10 tetrahedron.
 template <std::size_t corners>
 Cells cells(const std::vector<std::array<int, corners>>& members, int type) {
   std::string connectivity, offsets, types;
@@ -63,6 +63,7 @@ Cells cells(const std::vector<std::array<int, corners>>& members, int type) {
 Cells cells(const Shape& shape) {
   if (!shape.tetrahedra.empty()) return cells(shape.tetrahedra, 10);
   if (!shape.lines.empty()) return cells(shape.lines, 3);
+  if (!shape.surface.empty()) return cells(shape.surface, 5);
   std::vector<std::array<int, 1>> vertices(static_cast<std::size_t>(shape.particles));
   for (int i = 0; i < shape.particles; ++i) vertices[static_cast<std::size_t>(i)] = {i};
   return cells(vertices, 1);

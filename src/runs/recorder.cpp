@@ -51,6 +51,7 @@ bool conserves_energy(const System<double>& system) {
 Recorder::Recorder(const Scene& scene, const RunHooks& hooks, RunResult& result)
     : scene_(scene), hooks_(hooks), result_(result), last_(scene.initial) {
   if (scene.output.energy) meter_.emplace(*scene.system);
+  if (!scene.solids.empty()) deformation_.emplace(scene.solids, scene.rest);
   record(scene.initial);
 }
 
@@ -70,6 +71,7 @@ void Recorder::record(const State<double>& state) {
   if (failure_.outcome != Outcome::success) return;
   last_ = state;
   if (meter_) keep(row);
+  if (deformation_) deformation_->take(state.time, state.position);
   if (!hooks_.frame) return;
   Frame frame{state.time, state.position, state.velocity};
   if (result_.clocks) {
@@ -98,7 +100,7 @@ void Recorder::keep(const EnergyRow& row) {
 
 /// An initial energy that is small because its parts cancel is no measure: the change must be seen beside the kinetic
 /// energy too.
-void Recorder::judge() const {
+void Recorder::judge_energy() const {
   Summary& summary = result_.summary;
   if (summary.max_relative_energy_error <= 0.1 || largest_change_ <= 1e-3 * largest_kinetic_) return;
   if (!conserves_energy(*scene_.system)) return;
@@ -108,6 +110,23 @@ void Recorder::judge() const {
        << " times what it was: the step is too long or the method unstable; take a smaller step or "
           "tolerance";
   summary.warnings.push_back(text.str());
+}
+
+void Recorder::judge_deformation() const {
+  if (!deformation_) return;
+  Summary& summary = result_.summary;
+  summary.elements = deformation_->found();
+  for (const Deformation& of : summary.elements)
+    if (of.inverted > 0)
+      summary.warnings.push_back(
+          of.law + ": up to " + std::to_string(of.inverted) + " of " + std::to_string(of.count) +
+          " elements were inside out at once, the worst at t = " + number(of.min_j_time) +
+          " s; neo_hookean does not allow it");
+}
+
+void Recorder::judge() const {
+  judge_energy();
+  judge_deformation();
 }
 
 }  // namespace jetlag

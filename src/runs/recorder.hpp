@@ -26,7 +26,7 @@ class Recorder {
     if (state.time > last_.time) record(state);
   }
 
-  /// What the energies say against the method becomes a warning of the summary.
+  /// What the energies say against the method becomes a warning of the summary, and elements that were inside out.
   void judge() const;
 
   /// What is wrong with the first state that was not recorded; success where all were.
@@ -37,11 +37,14 @@ class Recorder {
  private:
   EnergyRow measured(const State<double>& state);
   void keep(const EnergyRow& row);
+  void judge_energy() const;
+  void judge_deformation() const;
 
   const Scene& scene_;
   const RunHooks& hooks_;
   RunResult& result_;
   std::optional<EnergyMeter> meter_;
+  std::optional<DeformationMeter> deformation_;
   double largest_kinetic_ = 0, largest_change_ = 0;  // [J]
   State<double> last_;
   Report failure_;

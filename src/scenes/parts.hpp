@@ -25,8 +25,9 @@ struct Particles {
   Coordinates<double> rest;  // positions at rest [m], of elements whose parameters follow from them
 };
 
-/// What pictures and frames show of forces.
+/// What pictures, frames and the summary show of forces.
 struct Drawn {
+  std::vector<Solid> solids;
   std::vector<std::array<int, 2>> lines;
   std::vector<std::array<int, 3>> triangles;
   std::vector<std::array<int, 4>> tetrahedra;

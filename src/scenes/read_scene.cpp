@@ -46,7 +46,7 @@ std::array<int, 3> up_of(const System<double>& system) {
 }
 
 /// The cells are those of the mesh; without one, those that forces name.
-Shape shape_of(const Particles& particles, Drawn drawn) {
+Shape shape_of(const Particles& particles, Drawn& drawn) {
   Shape shape;
   shape.dimension = particles.dimension;
   shape.particles = static_cast<int>(particles.mass.size());
@@ -109,7 +109,9 @@ Scene read(Document& document, const std::filesystem::path& folder) {
 
   require_memory(*system, static_cast<int>(method.largest_degree), value.at("particles"));
   require_energy(*system, particles.state, value.at("particles"));
-  scene.shape = shape_of(particles, std::move(drawn));
+  scene.shape = shape_of(particles, drawn);
+  scene.solids = std::move(drawn.solids);
+  if (!scene.solids.empty()) scene.rest = std::move(particles.rest);
   scene.shape.up = up_of(*system);
   scene.initial = std::move(particles.state);
   scene.system = std::move(system);

@@ -91,15 +91,12 @@ std::array<Vector<double, P - 1>, P> corners_of(const std::array<int, P>& cell,
 }
 
 template <std::size_t P>
-std::vector<detail::RestShape<double, P - 1>> rest_shapes(const Value& value, const Cells<P>& cells,
-                                                          const Coordinates<double>& rest) {
-  std::vector<detail::RestShape<double, P - 1>> shapes;
+void require_rest_shapes(const Value& value, const Cells<P>& cells, const Coordinates<double>& rest) {
   for (std::size_t e = 0; e < cells.size(); ++e) try {
-      shapes.push_back(detail::rest_shape<double, P - 1>(corners_of<P>(cells[e], rest)));
+      detail::rest_shape<double, P - 1>(corners_of<P>(cells[e], rest));
     } catch (const std::invalid_argument& why) {
       throw SceneError(path_of(value, e) + ": " + why.what());
     }
-  return shapes;
 }
 
 // ---- of what they are made -------------------------------------------------------------------------------
@@ -237,7 +234,7 @@ void add_solid(const Value& force, ForcesRead& into, bool has_plane_stress = fal
   constexpr std::size_t P = L::participants;
   const Value listed = force.at("elements", "mesh");
   const Cells<P> cells = read_elements<P>(listed, into.particles, into.drawn);
-  rest_shapes<P>(listed, cells, into.particles.rest);
+  require_rest_shapes<P>(listed, cells, into.particles.rest);
   const Material material = read_material(force, into, cells.size(), has_plane_stress, into.warnings);
   if (must_be_positive) require_positive<P>(listed, cells, into.particles);
   warn_of_slivers<P>(listed, cells, into.particles, material, into.warnings);
@@ -250,6 +247,8 @@ void add_solid(const Value& force, ForcesRead& into, bool has_plane_stress = fal
         all.push_back({lambda, mu, material.thickness});
     return all;
   };
+  Solid& solid = into.drawn.solids.emplace_back(Solid{force.at("type").text(), {}, material.thickness});
+  for (const auto& cell : cells) solid.cells.insert(solid.cells.end(), cell.begin(), cell.end());
   checked(force, [&] {
     into.system.add_at_rest<L>(cells, into.particles.rest, constants(material.elastic));
     if (material.is_viscous)

@@ -51,7 +51,7 @@ Summary sample() {
 TEST(Summary, HasEveryKeyOfTheContractInItsOrder) {
   const Json json = Json::parse(to_json(sample()));
   EXPECT_THAT(keys(json),
-              ElementsAre("outcome", "time", "position", "velocity", "energy", "momentum", "work",
+              ElementsAre("outcome", "time", "position", "velocity", "energy", "momentum", "work", "elements",
                           "wall_seconds", "version", "seed", "instruction_set", "threads", "warnings"));
   EXPECT_THAT(keys(json["energy"]), ElementsAre("initial", "final", "max_relative_error"));
   EXPECT_THAT(keys(json["momentum"]), ElementsAre("initial", "final"));

@@ -245,6 +245,18 @@ TEST(SolidsInScenes, WarnOfWhatIsNotWhatWasMeant) {
               ElementsAre(AllOf(HasSubstr("forces[0].elements, number 3"), HasSubstr("a sliver"))));
 }
 
+TEST(SolidsInScenes, AreInTheSummary) {
+  const Scene read =
+      scene(unit_box, {rubber("stvk", {{"elements", {{"inside", {{0, 0, 0}, {1, 1, 0.5}}}}}})});
+  const auto elements = run_scene(read).summary.elements;
+  ASSERT_EQ(elements.size(), 1u);
+  EXPECT_EQ(elements[0].law, "stvk");
+  EXPECT_EQ(elements[0].count, 24u);
+  EXPECT_NEAR(elements[0].volume, 0.5, 1e-15);
+  EXPECT_NEAR(elements[0].min_j, 1, 1e-14);
+  EXPECT_THAT(run_scene(scene(unit_box, {})).summary.elements, IsEmpty());
+}
+
 struct Refused {
   std::string name;
   Json particles, force;

@@ -11,6 +11,7 @@
 #include "jetlag/base/work.hpp"
 #include "jetlag/model/energy.hpp"
 #include "jetlag/model/system.hpp"
+#include "jetlag/output/deformation.hpp"
 
 namespace jetlag {
 
@@ -25,6 +26,7 @@ struct Summary {
   double max_relative_energy_error = 0;              // [1]
   Eigen::VectorXd initial_momentum, final_momentum;  // [kg m/s]
   Work work;
+  std::vector<Deformation> elements;  // of solids
   double wall_seconds = 0;
   std::string version;
   std::uint64_t seed = 0;

@@ -12,7 +12,7 @@
 namespace jetlag {
 
 /// One frame as an UnstructuredGrid. Points are in space: missing components are 0. Cells are the tetrahedra;
-/// the lines where there are none; a vertex for each particle where there are no lines either. Point data:
+/// the lines where there are none; else the triangles of the surface; else a vertex for each particle. Point data:
 /// velocity [m/s] (3 components) and fixed (0 or 1), and step [s] and degree where the frame has them; field data: TimeValue [s].
 ///
 /// Numbers are plain text in the shortest form that keeps every bit. Base64 would take 11 bytes a number

@@ -14,6 +14,7 @@
 
 #include "jetlag/ensembles/random_ensemble.hpp"
 #include "jetlag/model/system.hpp"
+#include "jetlag/output/deformation.hpp"
 #include "jetlag/output/output_options.hpp"
 #include "jetlag/output/shape.hpp"
 #include "jetlag/schedule/schedule.hpp"
@@ -28,6 +29,8 @@ struct Scene {
   std::shared_ptr<const System<double>> system;
   State<double> initial;
   Shape shape;  // what a picture shows
+  std::vector<Solid> solids;
+  Coordinates<double> rest;  // positions at rest of solids [m]; empty without any
   double until = 0;
   std::uint64_t seed = 1;
   std::uint64_t max_steps = 0;
