@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Snapshots of a solid body: its surface, far triangles first, each one lit by a lamp above the viewer's left
+// Snapshots of a solid body, in space or in the plane: its surface, far triangles first, each one lit by a lamp above the viewer's left
 // shoulder.
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -72,6 +72,10 @@ struct Floor {
   }
 };
 
+bool casts_shadow(const Shape& shape, const Support& support) {
+  return shape.dimension == 3 && support.kind == Support::floor;
+}
+
 /// Draws one frame of a body into a panel of a strip.
 class Painter {
  public:
@@ -90,7 +94,7 @@ class Painter {
     const Palette palette = speed_palette();
     const auto place = [&](const Eigen::Vector3d& point) { return strip.place(panel, point); };
     support_.draw(strip, panel, camera_);
-    if (support_.kind == Support::floor) draw_shadow(strip, panel, points);
+    if (casts_shadow(shape_, support_)) draw_shadow(strip, panel, points);
     for (const Part& part : visible_parts(points)) {
       if (part.mark >= 0) {
         strip.canvas.dot(place(points[index(part.mark)]), 2.2, ink);
@@ -157,7 +161,7 @@ void draw_bodies(const std::filesystem::path& picture, const Shape& shape, const
   for (const std::size_t i : chosen.frames) {
     for (const Eigen::Vector3d& point : camera.all(frames[i].position)) {
       window.include(point);
-      if (support.kind == Support::floor) window.include(floor.shadow(point));
+      if (casts_shadow(shape, support)) window.include(floor.shadow(point));
     }
     const Eigen::VectorXd speed = speeds(frames[i]);
     for (const Triangle& triangle : shape.surface)

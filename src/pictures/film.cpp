@@ -161,11 +161,12 @@ void draw_film(const std::filesystem::path& picture, const Shape& shape, const s
   if (shape.particles < 1) throw std::invalid_argument("draw_film: there are no particles");
   for (const Frame& frame : frames) check_frame(shape, frame);
   constexpr int few = 10;
-  const auto draw = shape.dimension == 1                             ? draw_lines
-                    : shape.dimension == 3 && !shape.surface.empty() ? draw_bodies
-                    : !shape.lines.empty()                           ? draw_springs
-                    : shape.particles <= few                         ? draw_orbits
-                                                                     : draw_swarm;
+  const bool shows_surface = !shape.surface.empty() && (shape.dimension == 3 || shape.lines.empty());
+  const auto draw = shape.dimension == 1     ? draw_lines
+                    : shows_surface          ? draw_bodies
+                    : !shape.lines.empty()   ? draw_springs
+                    : shape.particles <= few ? draw_orbits
+                                             : draw_swarm;
   draw(picture, shape, frames, title);
 }
 

@@ -96,6 +96,14 @@ TEST_F(Vtu, HasLinesForSprings) {
   EXPECT_THAT(grid.arrays.at("types"), ElementsAre(3, 3, 3));
 }
 
+TEST_F(Vtu, HasTrianglesForAPlateWithoutSprings) {
+  plane.lines.clear();
+  plane.surface = {{0, 1, 2}};
+  const Grid grid = written(plane, frame);
+  EXPECT_THAT(grid.arrays.at("connectivity"), ElementsAre(0, 1, 2));
+  EXPECT_THAT(grid.arrays.at("types"), ElementsAre(5));
+}
+
 TEST_F(Vtu, HasVerticesForLooseParticles) {
   plane.lines.clear();
   const Grid grid = written(plane, frame);
