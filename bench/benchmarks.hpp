@@ -15,7 +15,8 @@ void register_engine();      // engine/<what>: one table of the engine's speed
 void register_step();        // BM_Step/<method>/<problem>
 void register_checks();      // BM_Check/<problem>/<degree>/<what>
 void register_asynchrony();  // BM_Asynchrony/<problem>/<degree>, BM_EventQueue/<clocks>
-void register_peers();       // BM_Peers/<problem>/<digits>/<method>
+void register_solids();  // BM_Solid/<law>/<tetrahedra>/<degree>, BM_SolidAdolC/<degree>, BM_Beam/<method>/<steps>
+void register_peers();  // BM_Peers/<problem>/<digits>/<method>
 
 /// Counters of a run whose iteration expands the whole problem once: elements, and the time for each of them.
 inline void count_elements(benchmark::State& run, const Problem& problem) {

@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
   register_step();
   register_checks();
   register_asynchrony();
+  register_solids();
   register_engine();
   register_peers();
 
