@@ -210,7 +210,7 @@ void warn_of_slivers(const Value& value, const Cells<P>& cells, const Particles&
   const auto worst = static_cast<std::size_t>(std::ranges::max_element(rate) - rate.begin());
   warnings.push_back(path_of(value, worst) + ": " +
                      (count == 1 ? "a sliver" : "the worst of " + std::to_string(count) + " slivers") +
-                     ": its own Courant step is some " + shown(rate[worst] / usual) +
+                     ": its own Courant step is some " + shown(std::round(rate[worst] / usual)) +
                      " times shorter than the usual one, and so are all steps of one clock");
 }
 
