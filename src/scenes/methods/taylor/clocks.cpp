@@ -26,7 +26,9 @@ const SceneKeys clock_keys{
     under({"fixed"}, {"control.step", "the longest step [s], > 0", "required"}),
     under({"last_two"}, {"control.tolerance", "as schedule.tolerance, which precedes [m], > 0", "required"}),
     under({"last_two"}, max_step),
-    {"control.courant", "no step exceeds this fraction of the limit of its particle, > 0 and <= 1", "none"}};
+    {"control.courant",
+     "no step exceeds this fraction of the limit of its particle, of solids that at the start, > 0 and <= 1",
+     "none"}};
 
 constexpr double default_tolerance = 1e-9;  // [m]
 const Range at_least_one{1, infinite, true, false, "a number >= 1"};
