@@ -8,52 +8,42 @@ namespace jetlag {
 
 namespace detail {
 
-/// See KelvinVoigt.
-template <int D>
+/// See KelvinVoigt; a simplex of S edges in a space of D dimensions.
+template <int S, int D = S>
 struct KelvinVoigtSimplex {
-  static constexpr int participants = D + 1;
+  static constexpr int participants = S + 1;
   static constexpr std::array dimensions{D};
   static constexpr auto material = [] {
-    if constexpr (D == 3)
+    if constexpr (S == 3)
       return std::array{"viscosity_lambda", "viscosity_mu"};
     else
       return std::array{"viscosity_lambda", "viscosity_mu", "thickness"};
   }();
-  static constexpr auto parameters = [] {
-    if constexpr (D == 3)
-      return std::array{"tension_0000", "tension_0001", "tension_0002", "tension_0011", "tension_0012",
-                        "tension_0022", "tension_0101", "tension_0102", "tension_0111", "tension_0112",
-                        "tension_0122", "tension_0202", "tension_0211", "tension_0212", "tension_0222",
-                        "tension_1111", "tension_1112", "tension_1122", "tension_1212", "tension_1222",
-                        "tension_2222"};
-    else
-      return std::array{"tension_0000", "tension_0001", "tension_0011",
-                        "tension_0101", "tension_0111", "tension_1111"};
-  }();
+  static constexpr auto parameters = tension_names<S>;
 
-  /// lambda, mu [Pa s], mu >= 0, 3 lambda + 2 mu >= 0; thickness [m], > 0.
+  /// lambda, mu [Pa s], mu >= 0, S lambda + 2 mu >= 0; thickness [m], > 0.
   template <class T>
-  static std::array<T, parameters.size()> at_rest(const std::array<Vector<T, D>, D + 1>& x, const T& lambda,
+  static std::array<T, parameters.size()> at_rest(const std::array<Vector<T, D>, S + 1>& x, const T& lambda,
                                                   const T& mu, const T& thickness = T(1)) {
     if (!(mu >= T(0))) throw std::invalid_argument("viscosity_mu must be >= 0, got " + text_of(mu) + " Pa s");
-    if (!(T(3) * lambda + T(2) * mu >= T(0)))
-      throw std::invalid_argument("viscosity_lambda must be >= -2/3 viscosity_mu, got " + text_of(lambda) +
-                                  " Pa s");
-    const auto rest = rest_shape<T, D>(x);
-    return tension_matrix<T, D>(rest, volume_of_material(rest, thickness), lambda, mu);
+    if (!(T(S) * lambda + T(2) * mu >= T(0)))
+      throw std::invalid_argument(std::string("viscosity_lambda must be >= -") + (S == 3 ? "2/3 " : "") +
+                                  "viscosity_mu, got " + text_of(lambda) + " Pa s");
+    const auto rest = rest_shape<T, D, S>(x);
+    return tension_matrix<T, S>(rest, volume_of_material(rest, thickness), lambda, mu);
   }
 
   template <class T, class... C>
-  static std::array<Vector<T, D>, D> forces(const Participants<T, D, D + 1>& p, const C&... parameters) {
+  static std::array<Vector<T, D>, S> forces(const Participants<T, D, S + 1>& p, const C&... parameters) {
     const auto d = edges<T, D>(p.position), w = edges<T, D>(p.velocity);
-    Symmetric<T, D> rate;  // -G', elements beside the diagonal counted twice
-    for (int a = 0; a < pairs_of_edges<D>; ++a) {
-      const auto [i, j] = pair_of_edges<D>(a);
+    Symmetric<T, S> rate;  // -G', elements beside the diagonal counted twice
+    for (int a = 0; a < pairs_of_edges<S>; ++a) {
+      const auto [i, j] = pair_of_edges<S>(a);
       rate[a] = T(-2.0) * (i == j ? T(d[i].dot(w[i])) : T(T(d[i].dot(w[j])) + T(w[i].dot(d[j]))));
     }
-    const auto minus_t = tensions<D>(Symmetric<T, pairs_of_edges<D>>{parameters...}, rate);
-    std::array<Vector<T, D>, D> f;
-    for (int i = 0; i < D; ++i) f[i] = row_times<T, D>(minus_t, i, d);
+    const auto minus_t = tensions<S>(Symmetric<T, pairs_of_edges<S>>{parameters...}, rate);
+    std::array<Vector<T, D>, S> f;
+    for (int i = 0; i < S; ++i) f[i] = row_times<T, D>(minus_t, i, d);
     return f;
   }
 };
@@ -71,7 +61,7 @@ struct KelvinVoigt : detail::KelvinVoigtSimplex<3> {
   static constexpr const char* name = "kelvin_voigt";
 };
 
-/// The same of a triangle of a thickness, in plane strain.
+/// The same of a triangle of a thickness, in plane strain; with constants of plane stress in that.
 struct PlaneKelvinVoigt : detail::KelvinVoigtSimplex<2> {
   static constexpr const char* name = "plane_kelvin_voigt";
 };
