@@ -74,7 +74,7 @@ void register_expansion() {
   register_law<SoftenedGravity>();
   register_law<Floor>();
   register_law<QuadraticFloor>();
-  register_law<testing::Angle>();
+  register_law<testing::AngleByHand>();
   register_law<testing::Tetrahedron>();
 }
 

@@ -147,7 +147,7 @@ Problem mixture(std::uint64_t seed) {
     const auto [a, b, c, d] = others(i);
     if (random(0, 1) < 0.6)
       scene.system.add<Tetrahedron>({{a, b, c, d}}, {{100 * strength(), random(0, 0.2)}});
-    if (random(0, 1) < 0.6) scene.system.add<Angle>({{a, b, c}}, {{strength(), random(-1, 1)}});
+    if (random(0, 1) < 0.6) scene.system.add<AngleByHand>({{a, b, c}}, {{strength(), random(-1, 1)}});
     if (random(0, 1) < 0.4) scene.system.add<Spring>({{a, d}}, {{strength(), 0.5}});
     if (random(0, 1) < 0.4) scene.system.add<QuietSpring>({{b, d}}, {{strength(), 0.5}});
     if (random(0, 1) < 0.2) scene.system.add<Anchors>({{a, c}}, {{strength()}});

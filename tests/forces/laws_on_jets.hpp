@@ -38,6 +38,7 @@ struct LawInDimension {
   /// The parameters of a rest shape, of positions as in Moving, and of a material; null: they may be any.
   Parameters (*at_rest)(const std::vector<double>& positions, const std::vector<double>& material);
   std::size_t materials;
+  bool flat_at_rest = false;  // its rest shape must lie in a plane
 };
 struct LawOnJets {
   std::string name;
@@ -121,6 +122,7 @@ void add_dimension(LawOnJets& law) {
     if constexpr (HasRestShape<L>) {
       law.in_dimensions.back().at_rest = parameters_at_rest<L, D>;
       law.in_dimensions.back().materials = L::material.size();
+      law.in_dimensions.back().flat_at_rest = std::is_base_of_v<Bending, L>;
     }
     if constexpr (has_energy<L>) law.in_dimensions.back().energy = energy_of<L, D>;
   }
@@ -135,18 +137,19 @@ LawOnJets on_jets() {
   return law;
 }
 
-/// A law, and its energy as a law of its own.
+/// A law, and its energy as a law of its own, where it has forces beside it.
 template <class L>
 void add_law(std::vector<LawOnJets>& all) {
   all.push_back(on_jets<L>());
-  if constexpr (has_energy<L>) all.push_back(on_jets<problems::FromEnergy<L>>());
+  if constexpr (jetlag::detail::gives_forces<L, some_dimension<L>>)
+    if constexpr (has_energy<L>) all.push_back(on_jets<problems::FromEnergy<L>>());
 }
 
 /// The register, and laws of many.
 inline std::vector<LawOnJets> all_laws() {
   std::vector<LawOnJets> all;
   Forces::for_each([&]<class L>(std::type_identity<L>) { add_law<L>(all); });
-  add_law<Angle>(all);
+  add_law<AngleByHand>(all);
   add_law<Bend>(all);
   add_law<Tetrahedron>(all);
   add_law<Anchors>(all);

@@ -46,18 +46,21 @@ class ForceLaws : public ::testing::TestWithParam<LawOnJets> {
     return c;
   }
 
-  /// A well-shaped simplex of some material at rest, and the participants near it, displaced as a whole: the
-  /// corners 0, e_1, e_2, ... moved by up to 0.15 keep the sign of their volume.
+  /// A well-shaped simplex at rest, of some material where the law has one, and the participants near it, displaced as a
+  /// whole: the corners 0, 2 e_1, 2 e_2, ... moved by up to 0.3 keep the sign of their volume. One that is flat at rest has
+  /// its last corner at -2 e_2 then, all moved in the plane.
   std::pair<Moving, Parameters> near_a_rest_shape(const LawInDimension& in, Uniform& draw) const {
+    const Parameters c = random_numbers(in.at_rest == nullptr ? law.parameters : in.materials, draw);
     Moving p = random_participants(in.dimension, draw);
     std::vector<double> rest(p.position.size());
     for (int i = 0; i < participants; ++i)
-      for (int c = 0; c < in.dimension; ++c) {
-        const double corner = i == c + 1 ? 1.0 : 0.0;
-        rest[i * in.dimension + c] = corner + draw(-0.15, 0.15);
-        p.position[i * in.dimension + c] = 0.5 + corner + draw(-0.15, 0.15);
+      for (int axis = 0; axis < in.dimension; ++axis) {
+        const bool is_out = in.flat_at_rest && axis == 2, is_last = in.flat_at_rest && i == 3;
+        const double corner = is_last ? (axis == 1 ? -2.0 : 0.0) : i == axis + 1 ? 2.0 : 0.0;
+        rest[i * in.dimension + axis] = is_out ? 0.0 : corner + draw(-0.3, 0.3);
+        p.position[i * in.dimension + axis] = 0.5 + corner + draw(-0.3, 0.3);
       }
-    return {p, in.at_rest(rest, random_numbers(in.materials, draw))};
+    return {p, in.at_rest == nullptr ? c : in.at_rest(rest, c)};
   }
 
   /// From where they are, along random polynomials.
@@ -88,11 +91,12 @@ class ForceLaws : public ::testing::TestWithParam<LawOnJets> {
   /// f(the law, random participants at rest, random parameters), several times in each dimension.
   using Test = std::function<void(const LawInDimension& in, const Moving& p, const Parameters& c)>;
   void at_random_participants(const Test& f) const {
-    Uniform draw(11);
+    Uniform draw(23);  // a seed of which no component is so near zero that rounding hides it
     for (const LawInDimension& in : law.in_dimensions) {
       SCOPED_TRACE("dimension " + std::to_string(in.dimension));
       for (int i = 0; i < 10; ++i) {
-        if (in.at_rest != nullptr) {
+        // Four particles at random are nearly in line, where a dihedral angle is lost.
+        if (in.at_rest != nullptr || (participants == 4 && in.dimension == 3)) {
           const auto [p, c] = near_a_rest_shape(in, draw);
           f(in, p, c);
           continue;

@@ -86,7 +86,7 @@ TEST(ElementTangents, AddUpToTheJacobianOfTheSystem) {
     volumes.push_back({random(0.5, 2.0), random(0.0, 0.3)});
   }
   system.add<Tetrahedron>(fours, volumes);
-  system.add<Angle>({{0, 1, 2}, {5, 6, 7}}, {{0.3, 0.2}});
+  system.add<AngleByHand>({{0, 1, 2}, {5, 6, 7}}, {{0.3, 0.2}});
   system.add<Anchors>({{3, 4}}, {{0.7}});
   system.add<Spring>({{8, 9}, {9, 10}}, {{2.0, 0.4}});
   system.add<Gravity>({{11, 12}}, {{0.3}});

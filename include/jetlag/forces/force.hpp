@@ -20,15 +20,15 @@
 //     static std::array<Vector<T, D>, 3> forces(const Participants<T, D, 4>& p, ...);
 //
 // A law that has an `energy` and no forces gets them from it: minus its derivatives by the positions, which are recorded
-// once and then cost about what forces written by hand do (tape/derivative.hpp). A whole material is ten lines:
+// once and then cost about what forces written by hand do (tape/derivative.hpp). A whole law is ten lines:
 //
-//   struct Angle {       // E = k/2 (cos - c)^2 of the angle at the last of three particles
+//   struct Angle {       // E = k/2 (cos - c)^2 of the angle at the second of three particles
 //     static constexpr const char* name = "angle";
 //     static constexpr int participants = 3;
 //     static constexpr std::array parameters{"stiffness", "cosine"};
 //     template <class T, int D>
 //     static T energy(const Participants<T, D, 3>& p, const T& k, const T& cosine) {
-//       const Vector<T, D> a = p.position[0] - p.position[2], b = p.position[1] - p.position[2];
+//       const Vector<T, D> a = p.position[0] - p.position[1], b = p.position[2] - p.position[1];
 //       const T off = T(a.dot(b)) / (a.norm() * b.norm()) - cosine;
 //       return T(0.5) * k * off * off;
 //     }

@@ -4,9 +4,14 @@
 
 #include <type_traits>
 
+#include "jetlag/forces/cloth/bending.hpp"
+#include "jetlag/forces/cloth/hinge.hpp"
+#include "jetlag/forces/cloth/membrane.hpp"
 #include "jetlag/forces/drag.hpp"
 #include "jetlag/forces/floor.hpp"
 #include "jetlag/forces/gravity.hpp"
+#include "jetlag/forces/molecular/angle.hpp"
+#include "jetlag/forces/molecular/dihedral.hpp"
 #include "jetlag/forces/softened_gravity.hpp"
 #include "jetlag/forces/solids/corotated.hpp"
 #include "jetlag/forces/solids/kelvin_voigt.hpp"
@@ -45,6 +50,11 @@ using Forces = LawList<Spring,            //
                        Stvk, PlaneStvk,                                  //
                        PlaneCorotated,                                   //
                        KelvinVoigt, PlaneKelvinVoigt,                    //
-                       Pressure, Traction>;
+                       Pressure, Traction,                               //
+                       // cloth
+                       Membrane, MembraneKelvinVoigt,  //
+                       Bending, Hinge,                 //
+                       // molecules
+                       Angle, Dihedral<1>, Dihedral<2>, Dihedral<3>>;
 
 }  // namespace jetlag

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The series of one element of each solid law: against digits that were computed elsewhere, and against the law written by
 // the deformation gradient F and the first Piola-Kirchhoff stress P(F), as textbooks have it, in 50 digits.
+#include "forces/one_element.hpp"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -11,7 +13,6 @@
 
 #include "jetlag/forces/forces.hpp"
 #include "jetlag/forces/solids/lame.hpp"
-#include "jetlag/motion/expansion.hpp"
 #include "support/close.hpp"
 #include "support/digits50.hpp"
 #include "support/engine_of_numbers.hpp"
@@ -19,60 +20,26 @@
 namespace jetlag::testing::one_element_test {
 namespace {
 
-/// Tenths, exact in every number type: shape (4, 3); in the plane the first three rows and two columns.
-using Tenths = std::array<std::array<int, 3>, 4>;
-constexpr Tenths rest{{{0, 0, 0}, {10, 0, 0}, {2, 9, 0}, {3, 2, 8}}},
+constexpr Tenths<4> rest{{{0, 0, 0}, {10, 0, 0}, {2, 9, 0}, {3, 2, 8}}},
     place{{{1, 0, 0}, {12, 1, -1}, {1, 8, 2}, {4, 3, 9}}},
     speed{{{1, -2, 3}, {-3, 1, 2}, {2, 2, -1}, {0, -1, -4}}};
 
-template <class T>
-Coordinates<T> rows(const Tenths& tenths, int dimension) {
-  Coordinates<T> x(dimension + 1, dimension);
-  for (int i = 0; i <= dimension; ++i)
-    for (int c = 0; c < dimension; ++c) x(i, c) = T(tenths[i][c]) / T(10);
-  return x;
-}
-
-template <int P>
-std::array<int, P> all_of() {
-  std::array<int, P> all;
-  for (int i = 0; i < P; ++i) all[i] = i;
-  return all;
-}
-
-/// The series of the last participant of one element: masses 1, 2, 3, ...
+/// The series of the last participant of one element: in the plane of the first three rows and two columns.
 template <class L, class T>
 std::vector<Vector<T, L::dimensions[0]>> series_of(const std::array<T, L::material.size()>& material,
                                                    int degree) {
-  constexpr int d = L::dimensions[0];
-  std::vector<T> mass;
-  for (int i = 0; i <= d; ++i) mass.emplace_back(i + 1);
-  System<T> system(d, mass);
-  system.template add_at_rest<L>({all_of<d + 1>()}, rows<T>(rest, d), {material});
-  Expansion<T> motion(system, degree);
-  motion.start({T(0), rows<T>(place, d), rows<T>(speed, d)});
-  motion.grow_to(degree);
-  std::vector<Vector<T, d>> last;
-  for (int k = 0; k <= degree; ++k) {
-    last.emplace_back();
-    for (int c = 0; c < d; ++c) last.back()[c] = motion.position(k)(d, c);
-  }
-  return last;
+  return series_of_one<L, T>(Motion<4>{rest, place, speed}, material, degree, L::participants - 1);
 }
 
-/// Twenty digits of some coefficients. Given digits are right to half of their last: 5e-20 of the largest and less. Sums of
-/// up to some 50 products for each of 20 orders round by 2^-53 of terms that may be 10 times the sum: 1e-13 and 1e-12.
+/// Twenty digits of coefficient k.
 template <class L>
 void expect_digits(const std::array<double, L::material.size()>& material, int k,
                    const std::vector<const char*>& digits) {
   SCOPED_TRACE(std::string(L::name) + ", order " + std::to_string(k));
   std::array<Digits50, L::material.size()> exact;
   for (std::size_t i = 0; i < exact.size(); ++i) exact[i] = material[i];
-  std::vector<Digits50> expected;
-  for (const char* text : digits) expected.emplace_back(text);
-  EXPECT_THAT((series_of<L, Digits50>(exact, k).back()), IsCloseTo(expected, within(1e-19)));
-  EXPECT_THAT((series_of<L, double>(material, k).back()),
-              IsCloseTo(expected, within(k == 5 ? 1e-13 : 1e-12)));
+  expect_digits_of(series_of<L, Digits50>(exact, k).back(), series_of<L, double>(material, k).back(), k,
+                   digits);
 }
 
 TEST(OneElement, OfStvkHasTheseDigits) {

@@ -18,7 +18,7 @@ using problems::Problem;
 
 /// A cube in six tetrahedra about a diagonal, all volumes kept by pressure, the edges springs, some angles stiff. It is
 /// free, spins and swings by some tenths; kinetic and potential energies are near 1.
-template <class Edge = Spring, class Cell = Tetrahedron, class Corner = Angle>
+template <class Edge = Spring, class Cell = Tetrahedron, class Corner = AngleByHand>
 Problem jelly() {
   const std::vector<std::array<int, 4>> cells{{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7},
                                               {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}};
@@ -52,7 +52,7 @@ Problem jelly() {
     volumes.push_back({300.0, edge(0).dot(edge(1).cross(edge(2))) / 6});
   }
   scene.system.template add<Cell>(cells, volumes);
-  scene.system.template add<Corner>({{1, 2, 0}, {5, 3, 7}, {2, 4, 6}}, {{2.0, 0.1}});
+  scene.system.template add<Corner>({{1, 0, 2}, {5, 7, 3}, {2, 6, 4}}, {{2.0, 0.1}});
   return scene;
 }
 

@@ -5,30 +5,22 @@
 #include <array>
 
 #include "jetlag/forces/force.hpp"
+#include "jetlag/forces/molecular/angle.hpp"
 
 namespace jetlag::testing {
 
-/// E = k/2 (cos - c)^2, cos = a . b / (|a| |b|), a and b from the last participant to the others. Not defined on a line,
-/// where the angle cannot change.
-struct Angle {
-  static constexpr const char* name = "angle";
-  static constexpr int participants = 3;
-  static constexpr std::array parameters{"stiffness", "cosine"};
-  static constexpr std::array dimensions{2, 3};
+/// The library's Angle with forces written by hand.
+struct AngleByHand : Angle {
+  static constexpr const char* name = "angle_by_hand";
 
   template <class T, int D>
   static std::array<Vector<T, D>, 2> forces(const Participants<T, D, 3>& p, const T& k, const T& cosine) {
-    const Vector<T, D> a = p.position[0] - p.position[2], b = p.position[1] - p.position[2];
+    const Vector<T, D> a = p.position[0] - p.position[1], b = p.position[2] - p.position[1];
     const T aa = a.squaredNorm(), bb = b.squaredNorm(), both = a.norm() * b.norm(), cos = T(a.dot(b)) / both;
     const T pull = T(-k) * (cos - cosine);
-    return {Vector<T, D>(T(pull / both) * b - T(pull * cos / aa) * a),
-            Vector<T, D>(T(pull / both) * a - T(pull * cos / bb) * b)};
-  }
-  template <class T, int D>
-  static T energy(const Participants<T, D, 3>& p, const T& k, const T& cosine) {
-    const Vector<T, D> a = p.position[0] - p.position[2], b = p.position[1] - p.position[2];
-    const T off = T(a.dot(b)) / (a.norm() * b.norm()) - cosine;
-    return T(0.5) * k * off * off;
+    const Vector<T, D> first = T(pull / both) * b - T(pull * cos / aa) * a,
+                       last = T(pull / both) * a - T(pull * cos / bb) * b;
+    return {first, Vector<T, D>(-(first + last))};
   }
 };
 
