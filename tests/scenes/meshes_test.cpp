@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <set>
 
+#include "jetlag/model/hinges.hpp"
 #include "jetlag/output/shape.hpp"
 #include "jetlag/scenes/error.hpp"
 #include "jetlag/scenes/mesh.hpp"
@@ -120,6 +122,48 @@ TEST(RegularGrid, JoinsNeighbours) {
     lengths.insert(std::round(1e6 * (mesh.position.row(a) - mesh.position.row(b)).norm()) / 1e6);
   EXPECT_EQ(lengths, (std::set<double>{0.1, 0.141421, 0.2}));
   EXPECT_EQ(std::set(mesh.edges.begin(), mesh.edges.end()).size(), mesh.edges.size());
+}
+
+TEST(Sheet, IsFilledWithTrianglesThatAreSeenFromAbove) {
+  for (const auto pattern : {SheetPattern::equilateral, SheetPattern::crisscross, SheetPattern::uniform}) {
+    const Mesh mesh = sheet({2.0, 1.5}, {5, 3}, pattern);
+    EXPECT_EQ(mesh.position.rows(), 6 * 4);
+    EXPECT_EQ(mesh.triangles.size(), 2u * 5 * 3);
+    EXPECT_EQ(mesh.edges.size(), 5u * 4 + 6u * 3 + 5u * 3);
+    double area = 0;
+    for (const auto& [a, b, c] : mesh.triangles) {
+      const Eigen::Vector3d p = mesh.position.row(b) - mesh.position.row(a),
+                            q = mesh.position.row(c) - mesh.position.row(a);
+      EXPECT_EQ(p[2], 0);
+      EXPECT_GT(p[0] * q[1] - p[1] * q[0], 0);
+      area += (p[0] * q[1] - p[1] * q[0]) / 2;
+    }
+    EXPECT_NEAR(area, 3.0, 3.0 * 30 * 0x1p-52);  // the sides are zigzags, what is lost here is won there
+    EXPECT_EQ(hinges_of(mesh.triangles).size(), mesh.edges.size() - 2 * (5 + 3));  // all but the border
+  }
+}
+
+TEST(Sheet, HasTheCornersOfItsPattern) {
+  const Mesh shifted = sheet({4.0, std::sqrt(3.0)}, {4, 2}, SheetPattern::equilateral);
+  for (const auto& [a, b] : shifted.edges)  // equal sides, of numbers near 4
+    EXPECT_NEAR((shifted.position.row(a) - shifted.position.row(b)).norm(), 1.0, 8 * 0x1p-52);
+  EXPECT_EQ(shifted.position(4 * 3 + 1, 0), 4.5);
+  const Mesh uniform = sheet({4.0, 3.0}, {4, 3}, SheetPattern::uniform),
+             crisscross = sheet({4.0, 3.0}, {4, 3}, SheetPattern::crisscross);
+  EXPECT_EQ(uniform.position.row(2 * 4 + 1), Eigen::RowVector3d(2, 1, 0));
+  std::vector<int> joined(20), joined_alternately(20);
+  for (const auto& [a, b] : uniform.edges) ++joined[a], ++joined[b];
+  for (const auto& [a, b] : crisscross.edges) ++joined_alternately[a], ++joined_alternately[b];
+  EXPECT_EQ(joined[1 * 4 + 1], 6);
+  EXPECT_EQ(joined[1 * 4 + 2], 6);
+  EXPECT_EQ(joined_alternately[1 * 4 + 1] + joined_alternately[1 * 4 + 2], 8 + 4);
+}
+
+TEST(Sheet, IsRefusedWithoutCellsOrLengths) {
+  EXPECT_THROW(sheet({1.0, 0.0}, {1, 1}, SheetPattern::uniform), std::invalid_argument);
+  EXPECT_THROW(sheet({1.0, std::numeric_limits<double>::quiet_NaN()}, {1, 1}, SheetPattern::uniform),
+               std::invalid_argument);
+  EXPECT_THROW(sheet({1.0, 1.0}, {1, 0}, SheetPattern::uniform), std::invalid_argument);
 }
 
 TEST(Medit, ReadsWhatAnotherProgramWrote) {

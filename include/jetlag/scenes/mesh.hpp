@@ -15,7 +15,7 @@ struct Mesh {
   Coordinates<double> position;  // [m], shape (vertices, dimension)
   std::vector<std::array<int, 4>> tetrahedra;
   std::vector<std::array<int, 3>>
-      triangles;                          // of a plane mesh; for a body, see boundary() in output/shape.hpp
+      triangles;  // of a plane mesh or a sheet; for a body, see boundary() in output/shape.hpp
   std::vector<std::array<int, 2>> edges;  // distinct, a < b, sorted
   std::vector<std::string> warnings;      // of the file: it can be used, but may not be what was meant
 };
@@ -55,5 +55,24 @@ Mesh rectangle(const std::array<double, 2>& lengths, const std::array<int, 2>& c
 /// Points spacing [m] apart, counts[d] of them along axis d (1, 2 or 3 axes), in a space of `dimension`.
 /// Edges join neighbours along the axes; with `cloth` also along the diagonals (shear) and over two (bend).
 Mesh regular_grid(const std::vector<int>& counts, double spacing, int dimension, bool cloth);
+
+/// How a sheet is cut into triangles. Bent by a curvature along an angle phi to x, the energy of `Bending` and of small angles of
+/// `Hinge`, over that of a plate, is (40 x 40 cells; 1 but for the borders would be right):
+///
+///     phi [degrees]                                      0      22.5   45     90     135
+///     equilateral  rows shifted by half a cell           1.00   1.00   1.00   0.99   1.00
+///     crisscross   diagonals that alternate (union jack) 0.99   1.25   1.51   0.99   1.51
+///     uniform      all diagonals along (1, 1)            0.99   2.20   3.00   0.99   1.02
+///
+/// The latter two are of right-angled triangles, and do not come nearer with more of them: take the first one where bending
+/// matters.
+enum class SheetPattern { equilateral, crisscross, uniform };
+
+/// A sheet in space at z = 0, its vertices at cells of lengths / cells from (0, 0): two triangles a cell, counterclockwise as
+/// seen from above. Vertex (i, j) has the number i (cells[1] + 1) + j. Every second row (odd j) of an equilateral sheet is
+/// shifted by half a cell along x, and stands out by that at the right; triangles are equilateral where cells are sqrt(3)/2 as
+/// high as wide.
+/// lengths [m], > 0; cells, >= 1. Throws std::invalid_argument for others.
+Mesh sheet(std::array<double, 2> lengths, std::array<int, 2> cells, SheetPattern pattern);
 
 }  // namespace jetlag
