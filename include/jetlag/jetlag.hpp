@@ -33,6 +33,7 @@
 #include "jetlag/integrators/state_variance.hpp"
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/model/energy.hpp"
+#include "jetlag/model/hinges.hpp"
 #include "jetlag/model/lumped_mass.hpp"
 #include "jetlag/model/model.hpp"
 #include "jetlag/model/system.hpp"

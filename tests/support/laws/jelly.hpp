@@ -52,7 +52,7 @@ Problem jelly() {
     volumes.push_back({300.0, edge(0).dot(edge(1).cross(edge(2))) / 6});
   }
   scene.system.template add<Cell>(cells, volumes);
-  scene.system.template add<Corner>({{1, 0, 2}, {5, 7, 3}, {2, 6, 4}}, {{2.0, 0.1}});
+  scene.system.template add<Corner>({{1, 2, 0}, {5, 3, 7}, {2, 4, 6}}, {{2.0, 0.1}});
   return scene;
 }
 

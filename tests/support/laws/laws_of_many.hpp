@@ -1,26 +1,35 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Laws of three and four participants, and of external ones, which the library does not have.
+// Laws of three and four participants, and of external ones, beside those of the library.
 
 #include <array>
+#include <utility>
 
 #include "jetlag/forces/force.hpp"
 #include "jetlag/forces/molecular/angle.hpp"
 
 namespace jetlag::testing {
 
-/// The library's Angle with forces written by hand.
-struct AngleByHand : Angle {
+/// The library's Angle, but at the last participant, with forces written by hand.
+struct AngleByHand {
   static constexpr const char* name = "angle_by_hand";
+  static constexpr int participants = 3;
+  static constexpr std::array parameters = Angle::parameters;
+  static constexpr std::array dimensions = Angle::dimensions;
 
   template <class T, int D>
   static std::array<Vector<T, D>, 2> forces(const Participants<T, D, 3>& p, const T& k, const T& cosine) {
-    const Vector<T, D> a = p.position[0] - p.position[1], b = p.position[2] - p.position[1];
+    const Vector<T, D> a = p.position[0] - p.position[2], b = p.position[1] - p.position[2];
     const T aa = a.squaredNorm(), bb = b.squaredNorm(), both = a.norm() * b.norm(), cos = T(a.dot(b)) / both;
     const T pull = T(-k) * (cos - cosine);
-    const Vector<T, D> first = T(pull / both) * b - T(pull * cos / aa) * a,
-                       last = T(pull / both) * a - T(pull * cos / bb) * b;
-    return {first, Vector<T, D>(-(first + last))};
+    return {Vector<T, D>(T(pull / both) * b - T(pull * cos / aa) * a),
+            Vector<T, D>(T(pull / both) * a - T(pull * cos / bb) * b)};
+  }
+  template <class T, int D>
+  static T energy(const Participants<T, D, 3>& p, const T& k, const T& cosine) {
+    Participants<T, D, 3> bonds = p;
+    std::swap(bonds.position[1], bonds.position[2]);
+    return Angle::energy(bonds, k, cosine);
   }
 };
 

@@ -15,12 +15,13 @@ namespace jetlag {
 /// detail::Fold; |e| and the areas A at rest. With m = k (theta - theta_0), u = m |e| n_2 / |n_2|^2, v = m |e| n_3 / |n_3|^2:
 ///     f_2 = u,   f_3 = v,   f_1 = -(a.e u + b.e v) / e.e,   f_0 = -(u + v) - f_1.
 /// Participants: the two ends of the edge, then the vertices opposite to it, of each side one.
-/// rigidity D [N m], >= 0, as of Bending, and with the same numbers on a flat sheet, which Bending bends at a third of the
-/// cost or less. angle_share s [1]: theta_0 is s times the angle of the rest shape, so that a sheet stays as it is (1) or wants to be flat (0).
+/// rigidity D [N m], >= 0, as of Bending, which does the same for flat sheets at a third to a fifth of the cost. angle_share
+/// s [1]: theta_0 is s times the angle of the rest shape: a sheet stays as it is (1) or wants to be flat (0).
 /// Source: E. Grinspun, A. Hirani, M. Desbrun, P. Schroeder, Discrete shells, Eurographics SCA 2003; the gradient of theta is
 /// that of a lever.
 /// Range: triangles with an area, else the force is not finite; |theta| < pi. In a full fold, where one triangle comes to lie
-/// on the other, theta jumps from pi to -pi: a kink, at which steps end. What goes through it has left its sheet.
+/// on the other, theta jumps from pi to -pi, a kink at which steps end, and the energy by 2 pi k theta_0. What goes through it
+/// has gone through itself.
 /// Conserves: momentum, angular momentum, and short of a full fold energy.
 struct Hinge {
   static constexpr const char* name = "hinge";
