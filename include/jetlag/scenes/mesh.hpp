@@ -56,8 +56,8 @@ Mesh rectangle(const std::array<double, 2>& lengths, const std::array<int, 2>& c
 /// Edges join neighbours along the axes; with `cloth` also along the diagonals (shear) and over two (bend).
 Mesh regular_grid(const std::vector<int>& counts, double spacing, int dimension, bool cloth);
 
-/// How a sheet is cut into triangles. Bent by a curvature along an angle phi to x, the energy of `Bending` and of small angles of
-/// `Hinge`, over that of a plate, is (40 x 40 cells; 1 but for the borders would be right):
+/// How a sheet is cut into triangles. Bent by a curvature along an angle phi to x, the energy of `Bending` and of small angles
+/// of `Hinge`, over that of a plate, is (40 x 40 cells; 1 but for the borders would be right):
 ///
 ///     phi [degrees]                                      0      22.5   45     90     135
 ///     equilateral  rows shifted by half a cell           1.00   1.00   1.00   0.99   1.00
@@ -70,8 +70,8 @@ enum class SheetPattern { equilateral, crisscross, uniform };
 
 /// A sheet in space at z = 0, its vertices at cells of lengths / cells from (0, 0): two triangles a cell, counterclockwise as
 /// seen from above. Vertex (i, j) has the number i (cells[1] + 1) + j. Every second row (odd j) of an equilateral sheet is
-/// shifted by half a cell along x, and stands out by that at the right; triangles are equilateral where cells are sqrt(3)/2 as
-/// high as wide.
+/// shifted by half a cell along x, and stands out by that at the right; triangles are equilateral where cells are sqrt(3)/2
+/// as high as wide.
 /// lengths [m], > 0; cells, >= 1. Throws std::invalid_argument for others.
 Mesh sheet(std::array<double, 2> lengths, std::array<int, 2> cells, SheetPattern pattern);
 

@@ -17,8 +17,9 @@ namespace jetlag {
 ///     k = (c_03 + c_04,  c_01 + c_02,  -c_01 - c_03,  -c_02 - c_04),   sum k = 0.
 /// Participants: the two ends of the edge, then the vertices opposite to it, of each side one.
 /// rigidity D [N m], >= 0: of a plate of thickness t it is E t^3 / (12 (1 - nu^2)). Parameters: k_i sqrt(D / (A_0 + A_1)).
-/// With equilateral triangles the energy of a cylinder of curvature kappa is that of the plate, D/2 kappa^2 times its area; with
-/// right-angled ones it is up to 3 times that, by the direction, and does not converge: see SheetPattern (scenes/mesh.hpp).
+/// With equilateral triangles the energy of a cylinder of curvature kappa is that of the plate, D/2 kappa^2 times its area;
+/// with right-angled ones it is up to 3 times that, by the direction, and does not converge: see SheetPattern
+/// (scenes/mesh.hpp).
 /// Source: M. Bergou et al., A quadratic bending model for inextensible surfaces, Eurographics SGP 2006; there the weight is
 /// 3 / (A_0 + A_1), and D a third of the rigidity.
 /// Range: everywhere. Exact for motions of rigid bodies; lengths are taken to be those at rest.

@@ -12,8 +12,7 @@ namespace jetlag::detail {
 /// The triangles (x_0, x_1, x_2) and (x_1, x_0, x_3) at the edge x_0 x_1, by differences from x_0:
 ///     e = x_1 - x_0,   a = x_2 - x_0,   b = x_3 - x_0,   n_2 = e x a,   n_3 = b x e,
 ///     |n_2| |n_3| sin theta = (n_2 x n_3) . e / |e| = -|e| a . n_3,   |n_2| |n_3| cos theta = n_2 . n_3.
-/// theta: 0 where both lie in a plane on two sides of the edge, +-pi where one lies on the other; the side to which n_2 and n_3
-/// point is the inner one of a fold where it is < 0.
+/// theta: 0 where both lie in a plane on two sides of the edge, +-pi where one lies on the other.
 template <class T>
 struct Fold {
   Vector<T, 3> e, a, b, n_2, n_3;

@@ -18,8 +18,8 @@ struct Membrane : detail::StvkSimplex<2, 3> {
   static constexpr const char* name = "membrane";
 };
 
-/// The viscosity of KelvinVoigt of the same triangle. viscosities [Pa s]: mu >= 0, lambda + mu >= 0; those of plane stress where
-/// its elasticity is.   Conserves: momentum, angular momentum.
+/// The viscosity of KelvinVoigt of the same triangle. viscosities [Pa s]: mu >= 0, lambda + mu >= 0; those of plane stress
+/// where its elasticity is.   Conserves: momentum, angular momentum.
 struct MembraneKelvinVoigt : detail::KelvinVoigtSimplex<2, 3> {
   static constexpr const char* name = "membrane_kelvin_voigt";
 };

@@ -11,8 +11,8 @@ namespace jetlag {
 /// E = k/2 (cos phi - c)^2,   cos phi = a . b / (|a| |b|),   a = x_0 - x_1,   b = x_2 - x_1.
 /// Participants along the bonds: the angle is at the second. stiffness k [J], cosine c [1], in [-1, 1], that at rest. The
 /// forces follow from the energy.
-/// Source: W. van Gunsteren, H. Berendsen, Groningen Molecular Simulation (GROMOS) library manual, 1987: for its cosine the law
-/// has no singularity where the bonds are in line.
+/// Source: W. van Gunsteren, H. Berendsen, Groningen Molecular Simulation (GROMOS) library manual, 1987: for its cosine the
+/// law has no singularity where the bonds are in line.
 /// Range: bonds of some length.   Conserves: momentum, angular momentum, energy.
 struct Angle {
   static constexpr const char* name = "angle";
