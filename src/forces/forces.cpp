@@ -23,9 +23,11 @@ bool reads(const RecordedLaw& law, Input::Kind kind) { return reads(law.force, k
 template RecordedLaw record_law<Spring>(int);
 template RecordedLaw record_law<ZeroLengthSpring>(int);
 template RecordedLaw record_law<UniformField>(int);
+template RecordedLaw record_law<OscillatingField>(int);
 template RecordedLaw record_law<Drag>(int);
 template RecordedLaw record_law<Gravity>(int);
 template RecordedLaw record_law<SoftenedGravity>(int);
 template RecordedLaw record_law<Floor>(int);
 template RecordedLaw record_law<QuadraticFloor>(int);
+
 }  // namespace jetlag

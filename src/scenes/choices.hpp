@@ -5,6 +5,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,7 @@ struct ForcesRead {
   System<double>& system;
   Drawn drawn{};
   std::vector<std::string> warnings{};
+  std::optional<double> rigidity{};  // of the last membrane of one material, as a plate [N m]
 };
 
 struct ForceRecord {
@@ -50,6 +52,7 @@ struct ForceRecord {
 };
 const std::vector<ForceRecord>& force_records();  // all of them
 std::vector<ForceRecord> solid_records();         // of tetrahedra, triangles and their faces
+std::vector<ForceRecord> cloth_records();         // of sheets of triangles in space
 
 /// Where particles come from: the key that says so is the name of the choice.
 const std::vector<Choice>& particle_choices();

@@ -47,6 +47,12 @@ std::array<int, P> read_members(const Value& element, Eigen::Index count) {
   return members;
 }
 
+constexpr std::int64_t max_particles = 5'000'000;
+
+/// The mesh of "particles": of the generator `origin`; of "position" the cells of so many `listed` positions.
+Mesh read_mesh(const std::string& origin, const Value& particles, Eigen::Index listed, int dimension,
+               const std::filesystem::path& folder);
+
 /// "particles": listed, or made by a generator.
 Particles read_particles(const Value& particles, int dimension, std::uint64_t seed,
                          const std::filesystem::path& folder);

@@ -14,8 +14,6 @@ namespace jetlag {
 
 namespace {
 
-constexpr std::int64_t max_particles = 5'000'000;
-
 /// A vector for each particle: an array of vectors.
 Coordinates<double> read_rows(const Value& rows, int dimension) {
   const auto count = static_cast<Eigen::Index>(rows.size());
@@ -81,117 +79,6 @@ void read_velocity(const Value& value, std::uint64_t seed, Particles& particles)
   }
 }
 
-std::array<double, 3> three(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
-
-void require_dimension(const Value& value, int dimension, int needed) {
-  if (dimension != needed)
-    throw SceneError("dimension: got " + std::to_string(dimension) + "; must be " + std::to_string(needed) +
-                     " for " + value.path());
-}
-
-Mesh read_ellipsoid(const Value& value) {
-  value.only({"radii", "cells", "cut"});
-  const auto radii = three(value.at("radii").vector(3, positive));
-  const Value cells = value.at("cells", JsonText{"[8, 8]"}), cut = value.at("cut", JsonText{"[0.9, 0.9]"});
-  if (cells.size() != 2) cells.refuse("two numbers: cells across (even), cells along");
-  const Range inside{0, 1, false, false, "a number between 0 and 1"};
-  const auto cuts = cut.vector(2, inside);
-  const auto across = static_cast<int>(cells.at(0).integer(2, 200)),
-             along = static_cast<int>(cells.at(1).integer(1, 200));
-  return checked(cells, [&] { return truncated_ellipsoid(radii, {across, along}, cuts[0], cuts[1]); });
-}
-
-Mesh read_ellipse(const Value& value) {
-  value.only({"radii", "cells", "cut"});
-  const auto radii = value.at("radii").vector(2, positive);
-  const Value cells = value.at("cells", JsonText{"[12, 12]"}), cut = value.at("cut", JsonText{"[0.9, 0.9]"});
-  if (cells.size() != 2) cells.refuse("two numbers: cells across, cells along");
-  const Range inside{0, 1, false, false, "a number between 0 and 1"};
-  const auto cuts = cut.vector(2, inside);
-  return truncated_ellipse(
-      {radii[0], radii[1]},
-      {static_cast<int>(cells.at(0).integer(1, 2000)), static_cast<int>(cells.at(1).integer(1, 2000))},
-      cuts[0], cuts[1]);
-}
-
-Mesh read_box(const Value& value, int dimension) {
-  value.only({"lengths", "cells", "corner"});
-  if (dimension == 1) throw SceneError("dimension: got 1; must be 2 or 3 for " + value.path());
-  const auto lengths = value.at("lengths").vector(dimension, positive);
-  const Value listed = value.at("cells");
-  if (listed.size() != static_cast<std::size_t>(dimension))
-    listed.refuse("an array of " + std::to_string(dimension) + " numbers");
-  std::array<int, 3> cells{};
-  std::int64_t vertices = 1;
-  for (int axis = 0; axis < dimension; ++axis) {
-    cells[axis] = static_cast<int>(listed.at(axis).integer(1, max_particles));
-    vertices *= cells[axis] + 1;
-    if (vertices > max_particles)
-      listed.refuse("at most " + std::to_string(max_particles) + " vertices in all");
-  }
-  const auto corner = value.at("corner", std::vector<double>(dimension, 0.0)).vector(dimension);
-  Mesh mesh =
-      dimension == 3 ? box(three(lengths), cells) : rectangle({lengths[0], lengths[1]}, {cells[0], cells[1]});
-  for (int axis = 0; axis < dimension; ++axis) mesh.position.col(axis).array() += corner[axis];
-  return mesh;
-}
-
-/// "tetrahedra" in space or "triangles" in the plane of listed positions, each of different particles.
-template <std::size_t P>
-std::vector<std::array<int, P>> read_listed_cells(const Value& list, Eigen::Index count) {
-  std::vector<std::array<int, P>> cells;
-  for (std::size_t e = 0; e < list.size(); ++e) cells.push_back(read_members<P>(list.at(e), count));
-  return cells;
-}
-
-/// Of listed positions.
-Mesh read_cells(const Value& particles, int dimension, Eigen::Index count) {
-  Mesh mesh;
-  if (const auto list = particles.find("tetrahedra")) {
-    require_dimension(*list, dimension, 3);
-    mesh.tetrahedra = read_listed_cells<4>(*list, count);
-  }
-  if (const auto list = particles.find("triangles")) {
-    require_dimension(*list, dimension, 2);
-    mesh.triangles = read_listed_cells<3>(*list, count);
-  }
-  mesh.edges = edges_of(mesh.tetrahedra, mesh.triangles);
-  return mesh;
-}
-
-Mesh read_grid(const Value& particles, int dimension) {
-  const Value grid = particles.at("grid");
-  if (grid.size() < 1 || grid.size() > static_cast<std::size_t>(dimension))
-    grid.refuse("1 to " + std::to_string(dimension) + " counts, one for each axis");
-  std::vector<int> counts;
-  std::int64_t total = 1;
-  for (std::size_t a = 0; a < grid.size(); ++a) {
-    counts.push_back(static_cast<int>(grid.at(a).integer(1, max_particles)));
-    total *= counts.back();
-    if (total > max_particles) grid.refuse("at most " + std::to_string(max_particles) + " particles in all");
-  }
-  const bool cloth = particles.at("springs", "edges").one_of({"edges", "cloth"}) == "cloth";
-  return regular_grid(counts, particles.at("spacing").number(positive), dimension, cloth);
-}
-
-Mesh read_mesh(const Value& value, const std::filesystem::path& folder) {
-  const std::filesystem::path file = std::filesystem::absolute(folder / value.text());
-  std::error_code why;
-  const bool is_file =
-      std::filesystem::is_regular_file(file, why) && file.string().find('\0') == std::string::npos;
-  if (!is_file)
-    value.refuse("a mesh file that exists; looked for " + shown_name(file.string()) +
-                 (why && why != std::errc::no_such_file_or_directory ? ": " + why.message() : ""));
-  value.replace(file.string());  // so that the scene can be run from anywhere
-  try {
-    Mesh mesh = read_medit(file);
-    for (std::string& warning : mesh.warnings) warning = value.path() + ": " + warning;
-    return mesh;
-  } catch (const SceneError& error) {
-    throw SceneError(value.path() + ": " + error.what());
-  }
-}
-
 /// "fix_below", "fix_above": holds what lies within a distance of the lowest or highest vertex, along "fix_axis".
 void fix_ends(const Value& value, Particles& particles) {
   const std::vector<std::string> axes{"x", "y", "z"};
@@ -214,7 +101,7 @@ void fix_ends(const Value& value, Particles& particles) {
 /// Numbers within the range of double may be made into others that are not.
 void require_finite(const Value& particles, const char* key, const Coordinates<double>& rows) {
   if (rows.allFinite() && rows.cwiseAbs().maxCoeff() < 1e150) return;
-  for (const char* maker : {key, "mesh", "ellipsoid", "ellipse", "box"})
+  for (const char* maker : {key, "mesh", "ellipsoid", "ellipse", "box", "sheet"})
     if (particles.has(maker))
       throw SceneError(particles.path() + "." + maker +
                        ": makes numbers beyond 1e150, whose squares overflow; must be " + "smaller");
@@ -232,11 +119,13 @@ void read_mass(const Value& value, Particles& particles) {
   }
   if (value.has("mass")) density->refuse("left out beside mass, or mass beside it");
   const double rho = density->number(any);
-  const double thickness = particles.dimension == 2 ? value.at("thickness", 1.0).number(positive) : 1.0;
   if (mesh.tetrahedra.empty() && mesh.triangles.empty())
     density->refuse("left out, and mass in its place: these particles have no tetrahedra or triangles");
+  const double thickness = !mesh.tetrahedra.empty()   ? 1.0
+                           : particles.dimension == 2 ? value.at("thickness", 1.0).number(positive)
+                                                      : value.at("thickness").number(positive);
   particles.mass = checked(*density, [&] {
-    return particles.dimension == 3 ? lumped_masses(particles.rest, mesh.tetrahedra, rho)
+    return !mesh.tetrahedra.empty() ? lumped_masses(particles.rest, mesh.tetrahedra, rho)
                                     : lumped_masses(particles.rest, mesh.triangles, rho, thickness);
   });
   for (std::size_t i = 0; i < count; ++i)
@@ -269,7 +158,8 @@ const std::vector<Choice>& particle_choices() {
               "vertices in "
               "equal parts",
               "none"},
-      thickness{"thickness", "[m], > 0, of triangles beside density", "none in space; 1 in the plane"},
+      thickness{"thickness", "[m], > 0, of triangles beside density",
+                "none for tetrahedra; required for sheets in space; 1 in the plane"},
       rest{"rest", "positions [m] at which elements of solids are at rest, a vector for each particle",
            "none: where they begin"},
       fixed{"fixed", "a list of particles that do not move", "none"};
@@ -299,7 +189,9 @@ const std::vector<Choice>& particle_choices() {
          "x_0)) > 0 "
          "at rest",
          "none"},
-        {"triangles", "elements in the plane: lists of three particles, counterclockwise at rest", "none"},
+        {"triangles",
+         "elements in the plane, counterclockwise at rest, or of cloth in space: lists of three particles",
+         "none"},
         velocity,
         mass,
         density,
@@ -313,6 +205,14 @@ const std::vector<Choice>& particle_choices() {
                    "Each cell is cut along its diagonal (1, 1, 1) (Kuhn's mesh)",
                    "required"}},
                  edges)},
+      {"sheet",
+       generator(
+           {{"sheet",
+             "triangles in space at z = 0: an object with `lengths` [m] along x and y, `cells` along each, "
+             "a `pattern` (`equilateral`, where triangles are so if cells are sqrt(3)/2 as high as wide; "
+             "`crisscross`; `uniform`), and its lowest `corner` [m] (the origin where it is left out)",
+             "required"}},
+           edges)},
       {"mesh", generator({{"mesh",
                            "a Medit file (.mesh) of tetrahedra, beside the scene or with its path; sections "
                            "of other things are passed over, tetrahedra of negative volume turned round",
@@ -337,23 +237,8 @@ Particles read_particles(const Value& value, int dimension, std::uint64_t seed,
   std::vector<std::string_view> keys;
   for (const SceneKey& key : named(particle_choices(), origin).keys) keys.push_back(key.key);
   value.only(keys);
-  if (origin == "mesh") {
-    require_dimension(value.at("mesh"), dimension, 3);
-    particles.mesh = read_mesh(value.at("mesh"), folder);
-  } else if (origin == "ellipsoid") {
-    require_dimension(value.at("ellipsoid"), dimension, 3);
-    particles.mesh = read_ellipsoid(value.at("ellipsoid"));
-  } else if (origin == "ellipse") {
-    require_dimension(value.at("ellipse"), dimension, 2);
-    particles.mesh = read_ellipse(value.at("ellipse"));
-  } else if (origin == "box") {
-    particles.mesh = read_box(value.at("box"), dimension);
-  } else if (origin == "grid") {
-    particles.mesh = read_grid(value, dimension);
-  } else {
-    particles.state.position = read_rows(value.at("position"), dimension);
-    particles.mesh = read_cells(value, dimension, particles.state.position.rows());
-  }
+  if (origin == "position") particles.state.position = read_rows(value.at("position"), dimension);
+  particles.mesh = read_mesh(origin, value, particles.state.position.rows(), dimension, folder);
   if (!value.has("position")) {
     particles.state.position = particles.mesh.position;
     if (!value.has("grid")) value.at("springs", "edges").one_of({"edges"});

@@ -73,6 +73,21 @@ TEST_P(InDimension, UniformFieldGivesAParabola) {  // x = x_0 + v t + g t^2 / 2,
   }
 }
 
+/// x'' = a sin(w t + phi): coefficient k is a w^(k-2) sin(phi + (k - 2) pi/2) / k!, whatever the mass.
+TEST_P(InDimension, OscillatingFieldGivesAWave) {
+  System<Number> system(d, {3.0});
+  system.add<OscillatingField>({{0}}, {{0.75, -9.8125, 2.0, 1.5, 0.25}});
+  const auto motion = expand(system, {cut({1, 2, 3})}, {cut({4, 5, 6})});
+  const double a[] = {0.75, -9.8125, 2.0};
+  const Digits50 phi(0.25);
+  const Digits50 turned[] = {sin(phi), cos(phi), -sin(phi), -cos(phi)};
+  for (int axis = 0; axis < d; ++axis)
+    EXPECT_THAT(series_of(motion, 0, axis), HasCoefficients([&](int k) {
+                  if (k < 2) return Digits50(k == 0 ? 1 + axis : 4 + axis);
+                  return a[axis] * pow(Digits50(1.5), k - 2) * turned[(k - 2) % 4] / factorial<Digits50>(k);
+                }));
+}
+
 TEST_P(InDimension, DragStopsExponentially) {  // v = v_0 exp(-c t / m), c/m = 5/2
   System<Number> system(d, {0.5});
   system.add<Drag>({{0}}, {{1.25}});

@@ -64,13 +64,16 @@ void expect_defaults(const SceneKeys& keys, const Json& read) {
 }
 
 TEST(ScenePage, HasTheDefaultsOfForces) {
-  const Json cube = {{"box", {{"lengths", {1, 1, 1}}, {"cells", {1, 1, 1}}}}};
+  // A tetrahedron, and two triangles in a plane, which a membrane lies in: bending takes its rigidity.
+  const Json corner = Json::parse(R"({"position": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 0]],
+                                      "tetrahedra": [[0, 1, 2, 3]], "triangles": [[0, 1, 2], [1, 4, 2]]})");
+  const Json membrane = {{"type", "membrane"}, {"young", 1}, {"poisson", 0.25}, {"thickness", 1}};
   for (const ForceRecord& record : force_records()) {
     Json force = {{"type", record.name}};
     for (const SceneKey& key : record.keys)
       if (key.fallback.starts_with("required"))
         force[key.key] = key.key == "acceleration" || key.key == "stress" ? Json{0, 0, 1} : Json(0.25);
-    expect_defaults(record.keys, read(cube, Json::array({force})).at("forces").at(0));
+    expect_defaults(record.keys, read(corner, Json::array({membrane, force})).at("forces").at(1));
   }
 }
 

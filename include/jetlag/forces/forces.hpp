@@ -12,6 +12,7 @@
 #include "jetlag/forces/gravity.hpp"
 #include "jetlag/forces/molecular/angle.hpp"
 #include "jetlag/forces/molecular/dihedral.hpp"
+#include "jetlag/forces/oscillating_field.hpp"
 #include "jetlag/forces/softened_gravity.hpp"
 #include "jetlag/forces/solids/corotated.hpp"
 #include "jetlag/forces/solids/kelvin_voigt.hpp"
@@ -38,6 +39,7 @@ struct LawList {
 using Forces = LawList<Spring,            //
                        ZeroLengthSpring,  //
                        UniformField,      //
+                       OscillatingField,  //
                        Drag,              //
                        Gravity,           //
                        SoftenedGravity,   //

@@ -5,8 +5,8 @@
 namespace jetlag {
 
 const std::vector<BuiltInScene>& built_in_scenes() {
-  static const std::vector<BuiltInScene> scenes{body(),       ellipse(), two_body(),     cloth(),    chain(),
-                                                stiff_spot(), beam(),    spinning_bar(), inclusion()};
+  static const std::vector<BuiltInScene> scenes{body(),       ellipse(), two_body(),     cloth(),     chain(),
+                                                stiff_spot(), beam(),    spinning_bar(), inclusion(), flag()};
   return scenes;
 }
 

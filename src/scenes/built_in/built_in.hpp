@@ -15,5 +15,6 @@ BuiltInScene stiff_spot();
 BuiltInScene beam();
 BuiltInScene spinning_bar();
 BuiltInScene inclusion();
+BuiltInScene flag();
 
 }  // namespace jetlag

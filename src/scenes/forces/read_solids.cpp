@@ -12,156 +12,19 @@
 #include "jetlag/output/shape.hpp"
 #include "jetlag/scenes/error.hpp"
 #include "scenes/choices.hpp"
+#include "scenes/forces/elements.hpp"
+#include "scenes/forces/materials.hpp"
 #include "scenes/parts.hpp"
 
 namespace jetlag {
 
 namespace {
 
-template <std::size_t P>
-using Cells = std::vector<std::array<int, P>>;
-
-/// Where it stands in a list; all of what a word stands for have the path of the word.
-std::string path_of(const Value& list, std::size_t e) {
-  return list.is_array() ? list.path() + "[" + std::to_string(e) + "]"
-                         : list.path() + ", number " + std::to_string(e);
-}
-
-// ---- which elements --------------------------------------------------------------------------------------
-
-/// {"inside": [low, high]}, {"outside": [low, high]}: cells whose middle at rest is within the box of two corners, or not.
-template <std::size_t P>
-Cells<P> selected(const Value& value, const Cells<P>& from, const Particles& particles) {
-  value.only({"inside", "outside"});
-  const bool inside = value.has("inside");
-  if (inside == value.has("outside")) value.refuse("an object with inside or outside");
-  const Value corners = value.at(inside ? "inside" : "outside");
-  const int dimension = particles.dimension;
-  if (!corners.is_array() || corners.size() != 2) corners.refuse("two corners of a box, the lowest first");
-  const auto low = corners.at(0).vector(dimension), high = corners.at(1).vector(dimension);
-  Cells<P> kept;
-  for (const auto& cell : from) {
-    bool within = true;
-    for (int c = 0; c < dimension; ++c) {
-      double middle = 0;
-      for (const int i : cell) middle += particles.rest(i, c) / P;
-      within = within && low[c] <= middle && middle <= high[c];
-    }
-    if (within == inside) kept.push_back(cell);
-  }
-  if (kept.empty()) value.refuse("such that there are elements");
-  return kept;
-}
-
-template <std::size_t P>
-const Cells<P>& cells_of(const Mesh& mesh) {
-  if constexpr (P == 4)
-    return mesh.tetrahedra;
-  else
-    return mesh.triangles;
-}
-
-/// "elements": "mesh", a part of it, or a list.
-template <std::size_t P>
-Cells<P> read_elements(const Value& value, const Particles& particles, Drawn& drawn) {
-  const Cells<P>& mesh = cells_of<P>(particles.mesh);
-  if (!value.is_array()) {
-    if (!value.is_object()) value.one_of({"mesh"});
-    if (mesh.empty())
-      value.refuse(std::string("a list of ") + (P == 4 ? "tetrahedra" : "triangles") +
-                   ": these particles have none");
-    return value.is_object() ? selected<P>(value, mesh, particles) : mesh;
-  }
-  Cells<P> cells;
-  for (std::size_t e = 0; e < value.size(); ++e)
-    cells.push_back(read_members<P>(value.at(e), particles.rest.rows()));
-  if constexpr (P == 4)
-    drawn.tetrahedra.insert(drawn.tetrahedra.end(), cells.begin(), cells.end());
-  else
-    drawn.triangles.insert(drawn.triangles.end(), cells.begin(), cells.end());
-  return cells;
-}
-
-template <std::size_t P>
-std::array<Vector<double, P - 1>, P> corners_of(const std::array<int, P>& cell,
-                                                const Coordinates<double>& position) {
-  std::array<Vector<double, P - 1>, P> x;
-  for (std::size_t i = 0; i < P; ++i) x[i] = position.row(cell[i]);
-  return x;
-}
-
-template <std::size_t P>
-void require_rest_shapes(const Value& value, const Cells<P>& cells, const Coordinates<double>& rest) {
-  for (std::size_t e = 0; e < cells.size(); ++e) try {
-      detail::rest_shape<double, P - 1>(corners_of<P>(cells[e], rest));
-    } catch (const std::invalid_argument& why) {
-      throw SceneError(path_of(value, e) + ": " + why.what());
-    }
-}
-
-// ---- of what they are made -------------------------------------------------------------------------------
-
-struct Material {
-  std::vector<Lame<double>> elastic, viscous;  // [Pa], [Pa s]: of each element
-  double thickness = 1;                        // [m]
-  bool is_viscous = false;
-};
-
-std::vector<Lame<double>> read_lame(const Value& force, std::size_t count,
-                                    std::vector<std::string>& warnings) {
-  if (const auto constants = force.find("lame")) {
-    for (const char* other : {"young", "poisson"})
-      if (force.has(other)) constants->refuse(std::string("left out beside ") + other);
-    const auto both = constants->vector(2);
-    checked(*constants, [&] {
-      detail::require_elastic(both[0], both[1]);
-      return true;
-    });
-    return std::vector<Lame<double>>(count, {both[0], both[1]});
-  }
-  const auto young = force.at("young").numbers(count, positive, "element");
-  const Value ratio = force.at("poisson");
-  const auto poisson =
-      ratio.numbers(count,
-                    {-1, 0.5, false, false,
-                     "a number > -1 and < 0.5: 0.5 is incompressible, where the stiffness is infinite; 0.499 "
-                     "is the most that is worth trying"},
-                    "element");
-  if (const double most = count > 0 ? std::ranges::max(poisson) : 0.0; most > 0.45)
-    warnings.push_back(
-        ratio.path() + ": " + shown(most) +
-        " is nearly incompressible, where linear elements lock: the body is too stiff (a "
-        "cantilever of 20 x 4 x 4 cells at 0.499 vibrates 2.8 times too fast); finer meshes help "
-        "little");
-  std::vector<Lame<double>> constants;
-  for (std::size_t e = 0; e < count; ++e) constants.push_back(lame(young[e], poisson[e]));
-  return constants;
-}
-
-std::vector<Lame<double>> read_viscosity(const Value& force, const std::vector<Lame<double>>& elastic) {
-  std::vector<Lame<double>> viscous;
-  if (const auto viscosity = force.find("viscosity")) {
-    if (force.has("damping_time")) viscosity->refuse("left out beside damping_time");
-    viscosity->only({"bulk_like", "shear"});
-    const Value bulk = viscosity->at("bulk_like", 0.0);
-    const double lambda = bulk.number(), mu = viscosity->at("shear").number(non_negative);
-    if (!(3 * lambda + 2 * mu >= 0)) bulk.refuse("a number >= -2/3 of shear");
-    viscous.assign(elastic.size(), {lambda, mu});
-  } else {
-    const auto time = force.at("damping_time", 0.0).numbers(elastic.size(), non_negative, "element");
-    for (std::size_t e = 0; e < elastic.size(); ++e)
-      viscous.push_back({time[e] * elastic[e].lambda, time[e] * elastic[e].mu});
-  }
-  return viscous;
-}
-
 Material read_material(const Value& force, const ForcesRead& into, std::size_t count, bool has_plane_stress,
                        std::vector<std::string>& warnings) {
   Material material;
   material.elastic = read_lame(force, count, warnings);
   material.viscous = read_viscosity(force, material.elastic);
-  material.is_viscous =
-      std::ranges::any_of(material.viscous, [](const auto& v) { return v.lambda != 0 || v.mu != 0; });
   if (into.particles.dimension == 3) {
     for (const char* key : {"plane", "thickness"})
       if (const auto value = force.find(key)) value->refuse("left out in space");
@@ -186,7 +49,8 @@ void warn_of_slivers(const Value& value, const Cells<P>& cells, const Particles&
                      const Material& material, std::vector<std::string>& warnings) {
   std::vector<double> rate;
   for (std::size_t e = 0; e < cells.size(); ++e) {
-    const auto c = detail::cofactors(detail::edges<double, P - 1>(corners_of<P>(cells[e], particles.rest)));
+    const auto c =
+        detail::cofactors(detail::edges<double, P - 1>(corners_of<P - 1>(cells[e], particles.rest)));
     Vector<double, P - 1> last = Vector<double, P - 1>::Zero();
     double squares = 0, lightest = infinite;
     for (const auto& own : c) {
@@ -194,7 +58,7 @@ void warn_of_slivers(const Value& value, const Cells<P>& cells, const Particles&
       last += own;
     }
     const double determinant =
-        detail::edges<double, P - 1>(corners_of<P>(cells[e], particles.rest))[0].dot(c[0]);
+        detail::edges<double, P - 1>(corners_of<P - 1>(cells[e], particles.rest))[0].dot(c[0]);
     for (const int i : cells[e]) lightest = std::min(lightest, particles.mass[i]);
     const auto& [lambda, mu] = material.elastic[e];
     rate.push_back(
@@ -218,8 +82,8 @@ void warn_of_slivers(const Value& value, const Cells<P>& cells, const Particles&
 template <std::size_t P>
 void require_positive(const Value& value, const Cells<P>& cells, const Particles& particles) {
   for (std::size_t e = 0; e < cells.size(); ++e) {
-    const auto now = detail::edges<double, P - 1>(corners_of<P>(cells[e], particles.state.position)),
-               then = detail::edges<double, P - 1>(corners_of<P>(cells[e], particles.rest));
+    const auto now = detail::edges<double, P - 1>(corners_of<P - 1>(cells[e], particles.state.position)),
+               then = detail::edges<double, P - 1>(corners_of<P - 1>(cells[e], particles.rest));
     const double ratio = now[0].dot(detail::cofactors(now)[0]) / then[0].dot(detail::cofactors(then)[0]);
     if (!(ratio > 0))
       throw SceneError(path_of(value, e) + ": begins with " + shown(ratio) +
@@ -234,7 +98,7 @@ void add_solid(const Value& force, ForcesRead& into, bool has_plane_stress = fal
   constexpr std::size_t P = L::participants;
   const Value listed = force.at("elements", "mesh");
   const Cells<P> cells = read_elements<P>(listed, into.particles, into.drawn);
-  require_rest_shapes<P>(listed, cells, into.particles.rest);
+  require_rest_shapes<P - 1>(listed, cells, into.particles.rest);
   const Material material = read_material(force, into, cells.size(), has_plane_stress, into.warnings);
   if (must_be_positive) require_positive<P>(listed, cells, into.particles);
   warn_of_slivers<P>(listed, cells, into.particles, material, into.warnings);
@@ -251,7 +115,7 @@ void add_solid(const Value& force, ForcesRead& into, bool has_plane_stress = fal
   for (const auto& cell : cells) solid.cells.insert(solid.cells.end(), cell.begin(), cell.end());
   checked(force, [&] {
     into.system.add_at_rest<L>(cells, into.particles.rest, constants(material.elastic));
-    if (material.is_viscous)
+    if (is_viscous(material.viscous))
       into.system.add_at_rest<Viscous>(cells, into.particles.rest, constants(material.viscous));
     return true;
   });
@@ -362,25 +226,10 @@ void read_pressure(const Value& force, ForcesRead& into) {
 }  // namespace
 
 std::vector<ForceRecord> solid_records() {
-  const SceneKeys elastic = {
-      {"elements",
-       "`mesh`: all tetrahedra, in the plane triangles, of the particles; `{\"inside\": [low, high]}` or "
-       "`{\"outside\": [low, high]}`: those whose middle at rest is in a box of two corners, or not; or a "
-       "list",
-       "mesh"},
-      {"young", "Young's modulus [Pa], > 0: one for all or one for each element", "required, or `lame`"},
-      {"poisson",
-       "Poisson's ratio, > -1 and < 0.5: one for all or one for each. Above 0.45 linear elements lock",
-       "required, or `lame`"},
-      {"lame", "both constants of Lame [Pa], lambda and mu, in place of young and poisson", "none"},
-      {"damping_time",
-       "[s], >= 0, of Kelvin and Voigt's viscosity: this times the elastic constants; a vibration of "
-       "frequency w has "
-       "the damping ratio w times half of it. One for all or one for each",
-       "0"},
-      {"viscosity", "`{\"bulk_like\": lambda, \"shear\": mu}` [Pa s], in place of damping_time", "none"},
-      {"thickness", "[m], > 0, of triangles", "none in space; 1 in the plane"},
-      {"plane", "in the plane: `strain`; of `stvk` also `stress`", "none in space; strain in the plane"}};
+  const SceneKeys elastic = joined(
+      {elastic_keys(),
+       {{"thickness", "[m], > 0, of triangles", "none in space; 1 in the plane"},
+        {"plane", "in the plane: `strain`; of `stvk` also `stress`", "none in space; strain in the plane"}}});
   const SceneKey faces{
       "faces",
       "`boundary`: all faces of one tetrahedron; `{\"inside\": [low, high]}` or `outside`: those whose "

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 #include <numeric>
 
 #include "jetlag/forces/forces.hpp"
@@ -160,6 +161,15 @@ void read_uniform_field(const Value& force, ForcesRead& into) {
   into.system.add<UniformField>(moving(into.particles), {{g[0], g[1], g[2]}});
 }
 
+/// "frequency" [1/s] counts whole swings.
+void read_oscillating_field(const Value& force, ForcesRead& into) {
+  auto a = force.at("acceleration").vector(into.particles.dimension);
+  a.resize(3, 0.0);
+  const double omega = 2 * std::numbers::pi * force.at("frequency").number(positive),
+               phase = force.at("phase", 0.0).number();
+  into.system.add<OscillatingField>(moving(into.particles), {{a[0], a[1], a[2], omega, phase}});
+}
+
 /// Against the uniform fields of a scene, all together, wherever in the list they are; without any the second axis, on a
 /// line the only one.
 Components upwards(const Value& forces, int dimension) {
@@ -228,6 +238,12 @@ std::vector<ForceRecord> records_of_particles() {
        "The same acceleration of all particles",
        {{"acceleration", "[m/s^2], a component for each dimension", "required"}},
        read_uniform_field},
+      {OscillatingField::name,
+       "The same acceleration of all particles, that swings: a sin(2 pi f t + phase)",
+       {{"acceleration", "a [m/s^2], a component for each dimension", "required"},
+        {"frequency", "f [1/s], > 0", "required"},
+        {"phase", "[rad]", "0"}},
+       read_oscillating_field},
       {Gravity::name,
        "Attraction of pairs of particles by their masses",
        {{"pairs", "a list, `edges` of the mesh, `all`", "all"},
@@ -253,7 +269,7 @@ std::vector<ForceRecord> records_of_particles() {
 const std::vector<ForceRecord>& force_records() {
   static const std::vector<ForceRecord> records = [] {
     std::vector<ForceRecord> all = records_of_particles();
-    std::ranges::move(solid_records(), std::back_inserter(all));
+    for (auto* more : {&solid_records, &cloth_records}) std::ranges::move(more(), std::back_inserter(all));
     return all;
   }();
   return records;
