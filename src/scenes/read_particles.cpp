@@ -214,7 +214,8 @@ const std::vector<Choice>& particle_choices() {
              "required"}},
            edges)},
       {"mesh", generator({{"mesh",
-                           "a Medit file (.mesh) of tetrahedra, beside the scene or with its path; sections "
+                           "a Medit file (.mesh) of tetrahedra or a Wavefront file (.obj) of a surface, "
+                           "beside the scene or with its path; sections "
                            "of other things are passed over, tetrahedra of negative volume turned round",
                            "required"}},
                          edges)},

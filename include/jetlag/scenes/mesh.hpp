@@ -35,6 +35,11 @@ double six_volumes(const Coordinates<double>& position, const std::array<int, 4>
 /// finite, tetrahedra with a vertex twice or without volume, lines longer than 100000 characters, a lack of memory.
 Mesh read_medit(const std::filesystem::path& file);
 
+/// A surface in Wavefront's format (.obj): its vertices and faces, of more than three corners as fans about the first; lines of
+/// anything else are passed over. Warnings name vertices that are in no face and such that are where another one is.
+/// Throws SceneError as above.
+Mesh read_wavefront(const std::filesystem::path& file);
+
 /// An ellipsoid cut by two planes, filled with tetrahedra.
 /// radii [m] along x, y, z; cells: number of cubes across (even) in x and z, and along y, each of 6 tetrahedra;
 /// lower, upper: the cuts, as fractions of radius y, in (0, 1).

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where the meshes of a scene come from: generators, files, lists.
 #include <Eigen/Core>
+#include <cctype>
 #include <system_error>
 
 #include "jetlag/base/text.hpp"
@@ -132,7 +133,9 @@ Mesh read_file(const Value& value, const std::filesystem::path& folder) {
                  (why && why != std::errc::no_such_file_or_directory ? ": " + why.message() : ""));
   value.replace(file.string());  // so that the scene can be run from anywhere
   try {
-    Mesh mesh = read_medit(file);
+    std::string ending = file.extension().string();
+    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    Mesh mesh = ending == ".obj" ? read_wavefront(file) : read_medit(file);
     for (std::string& warning : mesh.warnings) warning = value.path() + ": " + warning;
     return mesh;
   } catch (const SceneError& error) {

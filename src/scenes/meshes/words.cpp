@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/meshes/words.hpp"
 
+#include <algorithm>
 #include <system_error>
 
 #include "jetlag/base/text.hpp"
@@ -44,11 +45,20 @@ bool Words::next_line() {
 }
 
 bool Words::next(std::string& word) {
-  for (;;) {
-    at_ = line_.find_first_not_of(space, at_);
-    if (at_ != std::string::npos && line_[at_] != '#') break;
+  while (!word_at(word))
     if (!next_line()) return false;
-  }
+  return true;
+}
+
+bool Words::next_in_line(std::string& word) {
+  if (!word_at(word)) return false;
+  if (word != "\\") return true;
+  return next_line() && next_in_line(word);
+}
+
+bool Words::word_at(std::string& word) {
+  at_ = std::min(line_.find_first_not_of(space, at_), line_.size());
+  if (at_ == line_.size() || line_[at_] == '#') return false;
   auto end = line_[at_] == '"' ? line_.find('"', at_ + 1) : line_.find_first_of(" \t\r\v\f#\"", at_);
   if (end != std::string::npos && line_[at_] == '"') ++end;
   if (end == std::string::npos) end = line_.size();

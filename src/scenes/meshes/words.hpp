@@ -19,6 +19,11 @@ class Words {
   /// The next word; false at the end.
   bool next(std::string& word);
 
+  /// The next word of the line that the last one stood in; false at its end, where a backslash goes on in the next line.
+  bool next_in_line(std::string& word);
+  /// What is left of that line.
+  void pass_over_line() { at_ = line_.size(); }
+
   /// The next word as a number; what: in messages.
   double real(const char* what);
   long whole(const char* what, long low, long high);
@@ -31,6 +36,7 @@ class Words {
 
  private:
   bool next_line();
+  bool word_at(std::string& word);
   std::string required(const char* what);
 
   std::string name_;
