@@ -53,6 +53,7 @@ struct ForceRecord {
 const std::vector<ForceRecord>& force_records();  // all of them
 std::vector<ForceRecord> solid_records();         // of tetrahedra, triangles and their faces
 std::vector<ForceRecord> cloth_records();         // of sheets of triangles in space
+std::vector<ForceRecord> molecular_records();     // of bonds
 
 /// Where particles come from: the key that says so is the name of the choice.
 const std::vector<Choice>& particle_choices();

@@ -72,7 +72,10 @@ TEST(ScenePage, HasTheDefaultsOfForces) {
     Json force = {{"type", record.name}};
     for (const SceneKey& key : record.keys)
       if (key.fallback.starts_with("required"))
-        force[key.key] = key.key == "acceleration" || key.key == "stress" ? Json{0, 0, 1} : Json(0.25);
+        force[key.key] = key.key == "acceleration" || key.key == "stress" ? Json{0, 0, 1}
+                         : key.key != "elements"                          ? Json(0.25)
+                         : record.name == "angle"                         ? Json::parse("[[0, 1, 2]]")
+                                                                          : Json::parse("[[0, 1, 2, 3]]");
     expect_defaults(record.keys, read(corner, Json::array({membrane, force})).at("forces").at(1));
   }
 }

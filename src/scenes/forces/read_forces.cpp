@@ -269,7 +269,8 @@ std::vector<ForceRecord> records_of_particles() {
 const std::vector<ForceRecord>& force_records() {
   static const std::vector<ForceRecord> records = [] {
     std::vector<ForceRecord> all = records_of_particles();
-    for (auto* more : {&solid_records, &cloth_records}) std::ranges::move(more(), std::back_inserter(all));
+    for (auto* more : {&solid_records, &cloth_records, &molecular_records})
+      std::ranges::move(more(), std::back_inserter(all));
     return all;
   }();
   return records;
