@@ -1,22 +1,30 @@
 // SPDX-License-Identifier: MIT
-// What does a tetrahedron cost? And where does Taylor's method win over leapfrog that is written by hand for this law alone?
+// What does a tetrahedron cost, and what a triangle of cloth? And where does Taylor's method win over leapfrog that is written by hand for this law alone?
 //
-//   BM_Solid/<law>/<tetrahedra>/<degree>   the expansion of a box of cubes, each cut in six
+//   BM_Solid/<law>/<elements>/<degree>     the expansion of a box of cubes, each cut in six; of a square sheet of triangles
 //   BM_SolidAdolC/<degree>                 the same of neo_hookean by ADOL-C: y' = f(y), recorded once, by its driver forode
+//   BM_Inclusion/<cells>/<stiff>           a cube of cells^3 with stiff^3 of them 10000 times stiffer: lockstep_over_block:
+//                                          time; elements_over: element coefficients; errors of both [m]
 //   BM_Beam/<method>/<steps>               a beam of 1152 neo-Hookean tetrahedra through 1 s; error: of the worst coordinate [m]
 
 #include <cmath>
+#include <ctime>
+#include <limits>
 #include <map>
 #include <string>
+#include <type_traits>
 
 #include "benchmarks.hpp"
+#include "jetlag/control/courant.hpp"
 #include "jetlag/control/fixed_step.hpp"
 #include "jetlag/forces/forces.hpp"
 #include "jetlag/forces/solids/lame.hpp"
 #include "jetlag/integrators/taylor.hpp"
+#include "jetlag/model/hinges.hpp"
 #include "jetlag/model/lumped_mass.hpp"
 #include "jetlag/motion/expansion.hpp"
 #include "jetlag/scenes/mesh.hpp"
+#include "jetlag/schedule/block.hpp"
 #include "jetlag/schedule/lockstep.hpp"
 #include "leapfrog_by_hand.hpp"
 
@@ -27,6 +35,8 @@
 namespace jetlag::bench {
 
 namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// E = 1e5 Pa, nu = 0.3, rho = 1000 kg/m^3.
 template <ForceLaw L>
@@ -48,6 +58,28 @@ Problem cube(int side) {
     const Eigen::RowVector3d x = problem.start.position.row(i);
     problem.start.position.row(i) += 0.02 * Eigen::RowVector3d(x[1] * x[2], x[0] * x[0], -x[0] * x[1]);
     problem.start.velocity.row(i) = Eigen::RowVector3d(x[2] * x[2], 0.7 * x[2], -x[2] * x[0]);
+  }
+  return problem;
+}
+
+/// side^2 cells of a cloth of 1 m, 2 kg/m^2, E t = 100 N/m: membranes, or the edges between them.
+template <ForceLaw L>
+Problem cloth(int side) {
+  const Mesh mesh = sheet({1, 1}, {side, side}, SheetPattern::crisscross);
+  constexpr double thickness = 1e-3;
+  Problem problem{System<double>(3, lumped_masses(mesh.position, mesh.triangles, 2000.0, thickness)),
+                  {0.0, mesh.position, Coordinates<double>::Zero(mesh.position.rows(), 3)}};
+  if constexpr (std::is_same_v<L, Membrane>) {
+    const auto [lambda, mu] = plane_stress(lame(1e5, 0.3));
+    problem.system.add_at_rest<L>(mesh.triangles, mesh.position, {{lambda, mu, thickness}});
+  } else {
+    std::array<double, L::material.size()> material{1e-4};
+    problem.system.add_at_rest<L>(hinges_of(mesh.triangles), mesh.position, {material});
+  }
+  for (int i = 0; i < problem.system.particles(); ++i) {
+    const Eigen::RowVector3d x = problem.start.position.row(i);
+    problem.start.position(i, 2) = 0.1 * x[0] * x[1];
+    problem.start.velocity.row(i) = Eigen::RowVector3d(0.1 * x[1], 0, x[0] * x[0]);
   }
   return problem;
 }
@@ -190,6 +222,85 @@ void beam_by_series(benchmark::State& run, int degree, int steps) {
   run.counters["error"] = error_of(end);
 }
 
+// ---- a stiff core -----------------------------------------------------------------------------------------
+
+struct Ended {
+  double seconds;  // of the processor
+  std::uint64_t element_coefficients;
+  Coordinates<double> position;
+};
+Ended ended(const Problem& problem, Schedule&& schedule, double t) {
+  State<double> state = problem.start;
+  const std::clock_t start = std::clock();
+  schedule.run(state, t, {});
+  return {static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, schedule.work().element_coefficients,
+          state.position};
+}
+
+/// Degree 4, each step at 0.8 of its limit: block steps by the limits of the particles, beside one clock.
+void inclusion(benchmark::State& run, int side, int core) {
+  const int first = (side - core) / 2;
+  const Mesh mesh = box({1, 1, 1}, {side, side, side});
+  Problem problem{System<double>(3, lumped_masses(mesh.position, mesh.tetrahedra, 1000.0)),
+                  {0.0, mesh.position, Coordinates<double>(mesh.position.rows(), 3)}};
+  const auto [lambda, mu] = lame(1e5, 0.3);
+  std::vector<std::array<double, 2>> material;
+  for (const auto& t : mesh.tetrahedra) {
+    bool inside = true;
+    for (int axis = 0; axis < 3; ++axis) {
+      double middle = 0;
+      for (const int i : t) middle += side * mesh.position(i, axis) / 4;
+      inside = inside && first < middle && middle < first + core;
+    }
+    const double times = inside ? 1e4 : 1.0;
+    material.push_back({times * lambda, times * mu});
+  }
+  problem.system.add_at_rest<NeoHookean>(mesh.tetrahedra, mesh.position, material);
+  for (int i = 0; i < problem.system.particles(); ++i) {
+    const Eigen::RowVector3d x = mesh.position.row(i);
+    problem.start.velocity.row(i) =
+        0.1 * Eigen::RowVector3d(std::sin(3 * x[1]), x[0] * x[2], std::cos(2 * x[0]));
+  }
+  constexpr int degree = 4;
+  constexpr double courant = 0.8, any_step = 1.0;
+  const double soft_limit = 2 / (138.8 * side / 4),
+               t = 4 * soft_limit;  // four of its steps, a few of leapfrog's
+  const auto law = fixed_degree(degree);
+  const auto one_clock = [&](int order) {
+    return Lockstep(std::make_unique<RandomTaylor>(
+        problem.system, fixed_degree(order),
+        std::make_unique<Courant>(std::make_unique<FixedStep>(any_step), courant,
+                                  Model<double>(problem.system), law, VelocitySeries::own_series)));
+  };
+  const auto block = [&] {
+    BlockSteps::Options options;
+    options.tolerance = 1.0;
+    options.max_step = courant * soft_limit;
+    options.courant = courant;
+    return BlockSteps(problem.system, degree, options);
+  };
+  const Ended truth = ended(problem, one_clock(8), t);
+  double one = infinity, many = infinity;
+  for (auto _ : run) {
+    const Ended a = ended(problem, one_clock(degree), t), b = ended(problem, block(), t);
+    one = std::min(one, a.seconds);
+    many = std::min(many, b.seconds);
+    run.counters["elements_over"] =
+        static_cast<double>(a.element_coefficients) / static_cast<double>(b.element_coefficients);
+    run.counters["error_lockstep"] = (a.position - truth.position).cwiseAbs().maxCoeff();
+    run.counters["error_block"] = (b.position - truth.position).cwiseAbs().maxCoeff();
+  }
+  run.counters["lockstep_over_block"] = one / many;
+}
+
+template <ForceLaw L>
+void register_cloth(const std::string& elements) {
+  for (const int degree : {4, 8, 16})
+    benchmark::RegisterBenchmark(
+        ("BM_Solid/" + std::string(L::name) + "/" + elements + "/" + std::to_string(degree)).c_str(), expand,
+        cloth<L>, 19, degree);
+}
+
 template <ForceLaw L>
 void register_law() {
   for (const int side : {5, 10})
@@ -207,6 +318,13 @@ void register_solids() {
   register_law<Stvk>();
   register_law<StableNeoHookean>();
   register_law<PolynomialNeoHookean>();
+  register_cloth<Membrane>("722");
+  register_cloth<Bending>("1045");
+  register_cloth<Hinge>("1045");
+  for (const auto& [side, core] : {std::pair{8, 2}, {12, 2}, {12, 3}, {24, 3}})
+    benchmark::RegisterBenchmark(
+        ("BM_Inclusion/" + std::to_string(side) + "/" + std::to_string(core)).c_str(), inclusion, side, core)
+        ->Unit(benchmark::kMillisecond);
 #if defined(JETLAG_HAVE_ADOLC)
   for (const int degree : {8, 16})
     benchmark::RegisterBenchmark(("BM_SolidAdolC/" + std::to_string(degree)).c_str(), expand_adolc, degree);
