@@ -6,7 +6,7 @@
 #include <initializer_list>
 #include <limits>
 #include <memory>
-#include <nlohmann/json_fwd.hpp>  // the whole of it takes seconds to compile: only reader.cpp and document.cpp need it
+#include <nlohmann/json_fwd.hpp>  // the whole of it takes seconds to compile: only reader.cpp and reader_document.cpp need it, in one batch
 #include <optional>
 #include <string>
 #include <string_view>
