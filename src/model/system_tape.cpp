@@ -62,9 +62,10 @@ std::vector<Recorded> record_element(Recording& recording, const RecordedLaw& la
       case Node::Kind::input: value.push_back(input(node.input)); break;
       case Node::Kind::operation: {
         if (node.operands.back() == static_cast<int>(i) + 1) {  // coupled with the next one
-          const Recorded u = value[node.operands[0]];
-          const auto [a, b] =
-              recording.coupled(node.rule, nodes[i + 1].rule, recording.node_of(u), node.is_static);
+          std::vector<int> u;
+          for (const int operand : node.operands)
+            if (operand <= static_cast<int>(i)) u.push_back(recording.node_of(value[operand]));
+          const auto [a, b] = recording.coupled(node.rule, nodes[i + 1].rule, std::move(u), node.is_static);
           value.push_back(a);
           value.push_back(b);
           ++i;

@@ -11,7 +11,12 @@ namespace jetlag {
 
 namespace {
 
-int append(Tape& tape, int rule, bool is_static, std::vector<int> operands) {
+/// An operation that is there, or a new one.
+int operation(Tape& tape, int rule, bool is_static, std::vector<int> operands) {
+  const auto known = std::ranges::find_if(tape.nodes, [&](const Node& node) {
+    return node.kind == Node::Kind::operation && node.rule == rule && node.operands == operands;
+  });
+  if (known != tape.nodes.end()) return static_cast<int>(known - tape.nodes.begin());
   tape.nodes.push_back(
       {.kind = Node::Kind::operation, .is_static = is_static, .rule = rule, .operands = std::move(operands)});
   return static_cast<int>(tape.nodes.size()) - 1;
@@ -26,8 +31,8 @@ int difference(Tape& tape, int u, int v, bool& flipped) {
   flipped = is_static(u);
   if (flipped) std::swap(u, v);
   if (is_zero(v)) return u;
-  if (!is_static(v)) return append(tape, rule_id<Subtract>, false, {u, v});
-  return append(tape, rule_id<Offset>, false, {append(tape, rule_id<Negate>, true, {v}), u});
+  if (!is_static(v)) return operation(tape, rule_id<Subtract>, false, {u, v});
+  return operation(tape, rule_id<Offset>, false, {operation(tape, rule_id<Negate>, true, {v}), u});
 }
 
 /// A root that is zero in the numerator as well turns round with it, as v / |v|; u (u^2)^a has a pole for a < -1/2.
@@ -77,6 +82,11 @@ Tape with_conditions(Tape tape) {
       add(node.operands[0], 0);
     } else if (std::ranges::find(roots, node.rule) != roots.end() && !is_pole(tape, node)) {
       add(i, 0, argument_of(tape, node));
+    } else if (node.rule == rule_id<FirstStretchInvariant>) {  // a b - J
+      bool flipped = false;
+      add(difference(tape, operation(tape, rule_id<Multiply>, false, {i, node.operands[3]}), node.operands[2],
+                     flipped),
+          0);
     }
   }
   return tape;

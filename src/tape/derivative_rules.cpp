@@ -125,6 +125,23 @@ void of_atan2(Adjoints& at, int y_at, int x_at) {
   at.give(x, -(at.value(y) * over));
 }
 
+// ---- stretches --------------------------------------------------------------------------------------------
+
+/// a^2 = I + 2 b, b^2 = II + 2 J a:   b/(2 q), 1/(2 q), a/q,  q = a b - J.   The operands of a are I, II, J, b.
+void of_first_stretch_invariant(Adjoints& at) {
+  const Recorded a = at.result(), b = at.operand(3);
+  const Product over = at.one_over(a * b - at.operand(2));
+  at.give(at.operand(0), 0.5 * (at.value(b) * over));
+  at.give(at.operand(1), 0.5 * over);
+  at.give(at.operand(2), at.value(a) * over);
+}
+
+/// b = (a^2 - I) / 2:   a for a, -1/2 for I.   The operands of b are I, II, J, a.
+void of_second_stretch_invariant(Adjoints& at) {
+  at.give(at.operand(3), at.value(at.operand(3)));
+  at.give(at.operand(0), -0.5);
+}
+
 // ---- choices ----------------------------------------------------------------------------------------------
 
 /// v = one of two, by the operand before them:   1 where it is chosen.
@@ -193,6 +210,8 @@ const Entry entries[] = {
     {rule_id<Atan2>, [](At& at) { of_atan2(at, 0, 1); }},
     {rule_id<Atan2OfConstant>, [](At& at) { of_atan2(at, 0, 1); }},
     {rule_id<Atan2OverConstant>, [](At& at) { of_atan2(at, 1, 0); }},
+    {rule_id<FirstStretchInvariant>, of_first_stretch_invariant},
+    {rule_id<SecondStretchInvariant>, of_second_stretch_invariant},
     {rule_id<Gaussian>,  // -2 u v
      [](At& at) { at.give(at.operand(0), -2.0 * (at.value(at.operand(0)) * at.value(at.result()))); }},
     {rule_id<Erf>, [](At& at) { of_erf(at, 1.0); }},

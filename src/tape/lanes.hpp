@@ -217,8 +217,21 @@ template <int n>
   for (int i = 0; i < Lanes<n>::width; ++i) x[i] = f(x[i], y[i]);
   return Lanes<n>::load(x);
 }
+template <int n>
+[[gnu::noinline]] Lanes<n> each_lane(const Lanes<n>& a, const Lanes<n>& b, const Lanes<n>& c,
+                                     double (*f)(double, double, double)) {
+  alignas(64) double x[Lanes<n>::width], y[Lanes<n>::width], z[Lanes<n>::width];
+  Lanes<n>::store(x, a);
+  Lanes<n>::store(y, b);
+  Lanes<n>::store(z, c);
+  for (int i = 0; i < Lanes<n>::width; ++i) x[i] = f(x[i], y[i], z[i]);
+  return Lanes<n>::load(x);
+}
 inline One each_lane(One a, double (*f)(double)) { return One(f(a.x)); }
 inline One each_lane(One a, One b, double (*f)(double, double)) { return One(f(a.x, b.x)); }
+inline One each_lane(One a, One b, One c, double (*f)(double, double, double)) {
+  return One(f(a.x, b.x, c.x));
+}
 
 template <class L>
 concept AnyLane = requires(const L& a, double (*f)(double)) { each_lane(a, f); };
@@ -252,6 +265,16 @@ JETLAG_LANE_BY_LANE(erfc)
 template <AnyLane L>
 inline L exp_of_minus_square(const L& a) {
   return each_lane(a, [](double x) { return jetlag::exp_of_minus_square(x); });
+}
+template <AnyLane L>
+inline L first_stretch_invariant(const L& i, const L& ii, const L& j) {
+  return each_lane(i, ii, j,
+                   [](double x, double y, double z) { return jetlag::first_stretch_invariant(x, y, z); });
+}
+template <AnyLane L>
+inline L second_stretch_invariant(const L& i, const L& j, const L& a) {
+  return each_lane(i, j, a,
+                   [](double x, double y, double z) { return jetlag::second_stretch_invariant(x, y, z); });
 }
 #define JETLAG_LANE_BY_LANE(f)         \
   template <AnyLane L>                 \

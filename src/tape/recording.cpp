@@ -69,13 +69,21 @@ Recorded Recording::operation(int rule, std::vector<int> operands, bool is_stati
   return {this, node};
 }
 
-std::pair<Recorded, Recorded> Recording::coupled(int rule_a, int rule_b, int u, bool is_static) {
-  const auto key = std::pair(rule_a, std::vector{u});
+std::pair<Recorded, Recorded> Recording::coupled(int rule_a, int rule_b, std::vector<int> u, bool is_static) {
+  const auto key = std::pair(rule_a, std::move(u));
   if (const auto found = operations_.find(key); found != operations_.end())
     return {Recorded(this, found->second), Recorded(this, found->second + 1)};
   const int a = static_cast<int>(tape_.nodes.size()), b = a + 1;
-  append({.kind = Node::Kind::operation, .is_static = is_static, .rule = rule_a, .operands = {u, b}});
-  append({.kind = Node::Kind::operation, .is_static = is_static, .rule = rule_b, .operands = {u, a}});
+  const auto add = [&](int rule, int other) {
+    std::vector<int> operands = key.second;
+    operands.push_back(other);
+    append({.kind = Node::Kind::operation,
+            .is_static = is_static,
+            .rule = rule,
+            .operands = std::move(operands)});
+  };
+  add(rule_a, b);
+  add(rule_b, a);
   operations_[key] = a;
   return {Recorded(this, a), Recorded(this, b)};
 }

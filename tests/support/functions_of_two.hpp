@@ -3,6 +3,7 @@
 // Functions of two numbers, jets or recorded values, which have all rules of the register between them.
 
 #include <tuple>
+#include <utility>
 
 #include "jetlag/series/comparisons.hpp"
 
@@ -15,6 +16,13 @@ struct Named {
 };
 template <class F>
 Named(const char*, F) -> Named<F>;
+
+/// Of stretches x, y, 1.
+template <class T>
+std::pair<T, T> stretch_invariants_of_diagonal(const T& x, const T& y) {
+  const T xx = x * x, yy = y * y;
+  return stretch_invariants(T(xx + yy + 1.0), T(xx * yy + xx + yy), T(x * y));
+}
 
 /// Functions of x and y, 1/8 < x_0 < 7/8 < 1 < y_0 < 2; further out each leaves its range somewhere.
 constexpr auto functions = std::tuple{
@@ -49,6 +57,10 @@ constexpr auto functions = std::tuple{
     Named{"atan2", [](const auto& x, const auto& y) { return atan2(x, -y); }},
     Named{"atan2 over a number", [](const auto& x, const auto&) { return atan2(x, 2.0); }},
     Named{"atan2 of a number", [](const auto& x, const auto&) { return atan2(-2.0, x); }},
+    Named{"first stretch invariant",
+          [](const auto& x, const auto& y) { return stretch_invariants_of_diagonal(x, y).first; }},
+    Named{"second stretch invariant",
+          [](const auto& x, const auto& y) { return stretch_invariants_of_diagonal(x, y).second; }},
     Named{"abs", [](const auto& x, const auto& y) { return abs(x - y); }},
     Named{"min", [](const auto& x, const auto& y) { return min(x * y, 0.5); }},
     Named{"max", [](const auto& x, const auto& y) { return max(x * y, x + 0.25); }},

@@ -15,6 +15,7 @@
 
 #include "jetlag/series/constants.hpp"
 #include "jetlag/series/functions/erf.hpp"
+#include "jetlag/series/functions/stretch_invariants.hpp"
 
 namespace jetlag::testing {
 
@@ -201,6 +202,19 @@ struct RunningError {
     using std::atan2, std::hypot;
     return rounded(T(atan2(a.value, b.value)), (a.error + b.error) / T(hypot(a.value, b.value)),
                    function_ulps);
+  }
+  friend RunningError first_stretch_invariant(const RunningError& i, const RunningError& ii,
+                                              const RunningError& j) {
+    using jetlag::first_stretch_invariant;
+    const T a = first_stretch_invariant(i.value, ii.value, j.value), b = (a * a - i.value) / 2;
+    const T in_the_equation = 8 * std::numeric_limits<T>::epsilon() * (a * a + i.value) * (a * a + i.value);
+    return {a, T((size(b) * i.error + ii.error + 2 * size(a) * j.error + in_the_equation) /
+                 (2 * size(T(a * b - j.value))))};
+  }
+  friend RunningError second_stretch_invariant(const RunningError& i, const RunningError& j,
+                                               const RunningError& a) {
+    using jetlag::second_stretch_invariant;
+    return {second_stretch_invariant(i.value, j.value, a.value), RunningError((a * a - i) / 2).error};
   }
   friend bool isfinite(const RunningError& a) {
     using std::isfinite;

@@ -55,6 +55,14 @@ TEST_F(Conditions, OfSignsAndRootsAreTheirOwn) {
   EXPECT_THAT(of(pow(x_ + 4.0, 1.5)), ElementsAre(Pair(27, 0)));
 }
 
+TEST_F(Conditions,
+       OfStretchInvariantsAreWhereTheRotationJumps) {  // of stretches 5, 3, 1: (5 + 3) (3 + 1) (1 + 5)
+  const Recorded xx = x_ * x_, yy = y_ * y_;
+  const auto [a, b] = stretch_invariants(xx + yy + 1.0, xx * yy + xx + yy, x_ * y_);
+  EXPECT_THAT(of(a), ElementsAre(Pair(192, 0)));
+  EXPECT_THAT(of(1.0 / (a * b - x_ * y_)), ElementsAre(Pair(192, 0)));
+}
+
 TEST_F(Conditions, OfRootsKnowWhatIsDrawnWhereItMayCrossZero) {
   const auto argument_of = [&](const Recorded& root) {
     const Tape tape = with_conditions(recording_.finish({root}));

@@ -98,19 +98,19 @@ S log10(const S& u) {
 /// Range: all reals.
 template <Series S>
 S sin(const S& u) {
-  return lift_coupled<Sin, Cos>(u).first;
+  return lift_coupled<Sin, Cos, S>(u).first;
 }
 
 /// Range: all reals.
 template <Series S>
 S cos(const S& u) {
-  return lift_coupled<Sin, Cos>(u).second;
+  return lift_coupled<Sin, Cos, S>(u).second;
 }
 
 /// Range: u_0 is no odd multiple of pi/2.
 template <Series S>
 S tan(const S& u) {
-  return lift_coupled<Tan, SecantSquared>(u).first;
+  return lift_coupled<Tan, SecantSquared, S>(u).first;
 }
 
 namespace detail {
@@ -204,24 +204,31 @@ S atan2(const X& c, const S& x) {
   return lift<Atan2OfConstant, S>(c, x, detail::scaled_squares(x, c));
 }
 
+/// tr U and the second invariant of the stretch U = R^T F of a matrix F with I = tr F^T F, II = tr cof F^T F, J = det F.
+/// Range: no two principal stretches add up to zero. There coefficient 0 of the second, 1 of the first is not finite.
+template <Series S>
+std::pair<S, S> stretch_invariants(const S& i, const S& ii, const S& j) {
+  return lift_coupled<FirstStretchInvariant, SecondStretchInvariant, S>(i, ii, j);
+}
+
 // ---- hyperbolic functions and their inverses -------------------------------------------------------------
 
 /// Range: all reals.
 template <Series S>
 S sinh(const S& u) {
-  return lift_coupled<Sinh, Cosh>(u).first;
+  return lift_coupled<Sinh, Cosh, S>(u).first;
 }
 
 /// Range: all reals.
 template <Series S>
 S cosh(const S& u) {
-  return lift_coupled<Sinh, Cosh>(u).second;
+  return lift_coupled<Sinh, Cosh, S>(u).second;
 }
 
 /// Range: all reals.
 template <Series S>
 S tanh(const S& u) {
-  return lift_coupled<Tanh, HyperbolicSecantSquared>(u).first;
+  return lift_coupled<Tanh, HyperbolicSecantSquared, S>(u).first;
 }
 
 /// Range: all reals.

@@ -22,6 +22,7 @@
 #include "jetlag/series/functions/sign.hpp"
 #include "jetlag/series/functions/sin_cos.hpp"
 #include "jetlag/series/functions/sqrt.hpp"
+#include "jetlag/series/functions/stretch_invariants.hpp"
 #include "jetlag/series/functions/tan.hpp"
 #include "jetlag/series/sums.hpp"
 
@@ -57,6 +58,7 @@ using Rules = RuleList<Embed,                                                   
                        Asinh, Acosh, Atanh,                                     //
                        Length, ScaledSumOfSquares, ScaledSquare, RootOfScaled,  //
                        Atan2, Atan2OfConstant, Atan2OverConstant,               //
+                       FirstStretchInvariant, SecondStretchInvariant,           //
                        Gaussian, Erf, Erfc,                                     //
                        Sign, Abs, BySign,                                       //
                        Less, LessOrEqual, And, Or, Not, Select>;

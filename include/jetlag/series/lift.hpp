@@ -92,12 +92,12 @@ void apply(J& v, int first, int last, const U&... u) {
   if (!has_value(v[0])) miss(v, std::max(first, 1));
 }
 
-/// Coefficients first .. last of v = A(u, w), w = B(u, v).
-template <Rule A, Rule B, class J>
-void apply_coupled(J& v, J& w, int first, int last, const J& u) {
+/// Coefficients first .. last of v = A(u..., w), w = B(u..., v).
+template <Rule A, Rule B, class J, class... U>
+void apply_coupled(J& v, J& w, int first, int last, const U&... u) {
   for (int k = first; k <= last; ++k) {
-    v[k] = A::coefficient(k, u, w, v);
-    w[k] = B::coefficient(k, u, v, w);
+    v[k] = A::coefficient(k, as_operand<J>(u)..., w, v);
+    w[k] = B::coefficient(k, as_operand<J>(u)..., v, w);
   }
 }
 
@@ -247,16 +247,16 @@ J lift(const U&... u) {
   return v;
 }
 
-/// v = A(u, w), w = B(u, v): two rules that read each other's older coefficients.
-template <Rule A, Rule B, class J>
+/// v = A(u..., w), w = B(u..., v): two rules that read each other's older coefficients.
+template <Rule A, Rule B, class J, class... U>
   requires is_jet<J>
-std::pair<J, J> lift_coupled(const J& u) {
-  const int degree = u.is_constant() ? detail::unlimited : u.degree();
+std::pair<J, J> lift_coupled(const U&... u) {
+  const int degree = detail::common_degree<A, J>(u...);
   std::pair<J, J> both(detail::zeros<J>(degree), detail::zeros<J>(degree));
   auto& [v, w] = both;
-  detail::apply_coupled<A, B>(v, w, 0, v.degree(), u);
-  detail::check<A>(v, 0, v.degree(), u);
-  detail::check<B>(w, 0, w.degree(), u);
+  detail::apply_coupled<A, B>(v, w, 0, v.degree(), u...);
+  detail::check<A>(v, 0, v.degree(), u...);
+  detail::check<B>(w, 0, w.degree(), u...);
   return both;
 }
 

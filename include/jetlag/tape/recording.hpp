@@ -85,8 +85,8 @@ class Recording {
   /// Whether an operation has been recorded before.
   bool knows(int rule, std::vector<int> operands) const;
 
-  /// Two operations that read each other: a(u, b), b(u, a). Recorded as neighbours.
-  std::pair<Recorded, Recorded> coupled(int rule_a, int rule_b, int u, bool is_static);
+  /// Two operations that read each other: a(u..., b), b(u..., a). Recorded as neighbours.
+  std::pair<Recorded, Recorded> coupled(int rule_a, int rule_b, std::vector<int> u, bool is_static);
 
   /// What has been recorded so far; operations come after what they read, but for coupled ones.
   const std::vector<Node>& nodes() const { return tape_.nodes; }
@@ -111,6 +111,25 @@ Recording* recording_of(const U&... u) {
   Recording* found = nullptr;
   ((found = u.recording() ? u.recording() : found), ...);
   return found;
+}
+
+/// The nodes of operands of R; those without a series get one where the rule reads it and its result has one.
+template <Rule R, class... U>
+std::vector<int> operands_of(Recording& recording, bool all_static, const U&... u) {
+  std::vector<int> operands;
+  int i = 0;
+  const auto add = [&](const Recorded& x) {
+    int node = recording.node_of(x);
+    const Reads reads = R::reads[i++];
+    if (reads == Reads::constant && !recording.is_static(x))
+      throw std::invalid_argument(std::string(R::name) +
+                                  ": an operand that must be constant depends on the motion");
+    if (reads != Reads::constant && reads != Reads::first && recording.is_static(x) && !all_static)
+      node = recording.operation(rule_id<Embed>, {node}, false).node();
+    operands.push_back(node);
+  };
+  (add(u), ...);
+  return operands;
 }
 
 /// R on plain numbers, without a recording: the same rule at order 0.
@@ -146,20 +165,19 @@ Recorded record(const U&... u) {
     if (const auto of = recording->choice_beside_constant(std::get<sizeof...(U) - 1>(std::tie(u...))))
       return root_of_choice<R>(*recording, *of, u...);
   const bool all_static = (recording->is_static(u) && ...);
-  std::vector<int> operands;
-  int i = 0;
-  const auto add = [&](const Recorded& x) {
-    int node = recording->node_of(x);
-    const Reads reads = R::reads[i++];
-    if (reads == Reads::constant && !recording->is_static(x))
-      throw std::invalid_argument(std::string(R::name) +
-                                  ": an operand that must be constant depends on the motion");
-    if (reads != Reads::constant && reads != Reads::first && recording->is_static(x) && !all_static)
-      node = recording->operation(rule_id<Embed>, {node}, false).node();
-    operands.push_back(node);
-  };
-  (add(u), ...);
-  return recording->operation(rule_id<R>, std::move(operands), all_static);
+  return recording->operation(rule_id<R>, operands_of<R>(*recording, all_static, u...), all_static);
+}
+
+template <Rule A, Rule B, class... U>
+std::pair<Recorded, Recorded> record_coupled(const U&... u) {
+  Recording* recording = recording_of(u...);
+  if (!recording) {
+    const ConstantSeries<double> none{0.0};
+    const ConstantSeries<double> v{A::coefficient(0, ConstantSeries<double>{u.value()}..., none, none)};
+    return {v.value, B::coefficient(0, ConstantSeries<double>{u.value()}..., v, none)};
+  }
+  const bool all_static = (recording->is_static(u) && ...);
+  return recording->coupled(rule_id<A>, rule_id<B>, operands_of<A>(*recording, all_static, u...), all_static);
 }
 }  // namespace detail
 
@@ -169,16 +187,10 @@ Recorded lift(const U&... u) {
   return detail::record<R>(Recorded(u)...);
 }
 
-/// v = A(u, w), w = B(u, v), recorded.
-template <Rule A, Rule B, std::same_as<Recorded> S>
-std::pair<S, S> lift_coupled(const S& u) {
-  if (u.is_number()) {
-    const ConstantSeries<double> x{u.value()}, none{0.0};
-    const ConstantSeries<double> v{A::coefficient(0, x, none, none)};
-    return {v.value, B::coefficient(0, x, v, none)};
-  }
-  Recording& recording = *u.recording();
-  return recording.coupled(rule_id<A>, rule_id<B>, u.node(), recording.is_static(u));
+/// v = A(u..., w), w = B(u..., v), recorded.
+template <Rule A, Rule B, std::same_as<Recorded> S, class... U>
+std::pair<S, S> lift_coupled(const U&... u) {
+  return detail::record_coupled<A, B>(Recorded(u)...);
 }
 
 Recorded operator+(const Recorded& u, const Recorded& v);

@@ -67,6 +67,16 @@ TYPED_TEST(Identities, SqrtSquaredIsItsArgument) {
   });
 }
 
+TYPED_TEST(Identities, StretchInvariantsAreSumsOfStretches) {  // of u, 3/2 and 1/4
+  this->template at_random_series<12>([](const auto& u) {
+    using J = std::decay_t<decltype(u)>;
+    const J squared = u * u;
+    const auto [a, b] = stretch_invariants(J(squared + 2.3125), J(2.3125 * squared + 0.140625), J(0.375 * u));
+    EXPECT_THAT(a, IsCloseTo(J(u + 1.75)));
+    EXPECT_THAT(b, IsCloseTo(J(1.75 * u + 0.375)));
+  });
+}
+
 TYPED_TEST(Identities, PowersAddTheirExponents) {  // binary fractions: exact in every number type
   this->template at_random_series<12>([](const auto& u) {
     EXPECT_THAT(pow(u, 1.75) * pow(u, -0.5), IsCloseTo(pow(u, 1.25)));

@@ -105,6 +105,15 @@ TEST(SingularPoint, AbsAtItsKinkIsThatOfOneSide) {
   EXPECT_EQ(min(t, -t), -t);
 }
 
+TEST(SingularPoint, StretchesThatAddUpToZeroHaveTheirSumOnly) {  // 1, 1/2, -1/2 + t, one by one
+  const J x = 1.0, y = 0.5, z = t - 0.5;
+  const auto [a, b] =
+      stretch_invariants(J(x * x + y * y + z * z), J(x * x * y * y + (x * x + y * y) * z * z), J(x * y * z));
+  EXPECT_EQ(first_not_finite(a), 1);
+  EXPECT_NEAR(a[0], 1.0, 1e-7);  // a double root, to half of the digits
+  EXPECT_EQ(first_not_finite(b), 0);
+}
+
 TEST(SingularPoint, QuotientByZeroHasNoValue) {
   EXPECT_EQ(first_not_finite(t / 0.0), 0);
   EXPECT_EQ(first_not_finite(t / J(0.0)), 0);
