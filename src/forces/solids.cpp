@@ -12,6 +12,7 @@ template RecordedLaw record_law<PolynomialNeoHookean>(int);
 template RecordedLaw record_law<PlanePolynomialNeoHookean>(int);
 template RecordedLaw record_law<Stvk>(int);
 template RecordedLaw record_law<PlaneStvk>(int);
+template RecordedLaw record_law<Corotated>(int);
 template RecordedLaw record_law<PlaneCorotated>(int);
 template RecordedLaw record_law<KelvinVoigt>(int);
 template RecordedLaw record_law<PlaneKelvinVoigt>(int);

@@ -50,7 +50,7 @@ using Forces = LawList<Spring,            //
                        StableNeoHookean, PlaneStableNeoHookean,          //
                        PolynomialNeoHookean, PlanePolynomialNeoHookean,  //
                        Stvk, PlaneStvk,                                  //
-                       PlaneCorotated,                                   //
+                       Corotated, PlaneCorotated,                        //
                        KelvinVoigt, PlaneKelvinVoigt,                    //
                        Pressure, Traction,                               //
                        // cloth

@@ -21,6 +21,7 @@ void for_each_elastic_law(F f) {
   f(std::type_identity<NeoHookean>{});
   f(std::type_identity<StableNeoHookean>{});
   f(std::type_identity<PolynomialNeoHookean>{});
+  f(std::type_identity<Corotated>{});
 }
 
 constexpr double young = 1e5, poisson = 0.3, density = 1000;  // [Pa], [1], [kg/m^3]

@@ -92,6 +92,8 @@ TEST(UniaxialStretch, ThinsAndPulls) {
   expect_uniaxial<StableNeoHookean>(0.3, 1.5, 0.867086123545760, 0.404445520062712);
   expect_uniaxial<PolynomialNeoHookean>(0.3, 0.6, 1.105541596785133, -0.552706552706553);
   expect_uniaxial<PolynomialNeoHookean>(0.3, 1.5, 0.869226987360353, 0.383190883190883);
+  expect_uniaxial<Corotated>(0.3, 0.6, 1.12, -0.4);  // linear: 1 - nu (l - 1), l - 1
+  expect_uniaxial<Corotated>(0.3, 1.5, 0.85, 0.5);
 }
 TEST(UniaxialStretch, NearlyKeepsTheVolumeWhereItIsIncompressible) {
   expect_uniaxial<NeoHookean>(0.499, 1.5, 0.816768973324671, 0.351987646033836);
@@ -104,7 +106,8 @@ TEST(Pressure, HoldsACompressedBody) {
   const auto mesh = jetlag::box({1, 1, 1}, {3, 3, 3});
   const auto faces = boundary(mesh.tetrahedra, mesh.position);
   const auto small = deformed(mesh.position, 0.95 * Eigen::Matrix3d::Identity());
-  const std::vector<double> pressures{12828.94737, 14728.31091, 11840.08615, 11689.65081};  // [Pa], by hand
+  const std::vector<double> pressures{12828.94737, 14728.31091, 11840.08615, 11689.65081,
+                                      13850.41551};  // [Pa], by hand
   int law = 0;
   for_each_elastic_law([&]<class L>(std::type_identity<L>) {
     const double p = pressures[law++];

@@ -68,6 +68,12 @@ TEST(OneElement, OfPolynomialNeoHookeanHasTheseDigits) {  // l = 3, m = 2 of lam
   expect_digits<PolynomialNeoHookean>(
       {1, 2}, 20, {"-1.0982872968744875430e-9", "-3.0042613138246668406e-9", "-1.0871842973054698759e-9"});
 }
+TEST(OneElement, OfCorotatedHasTheseDigits) {
+  expect_digits<Corotated>(
+      {3, 2}, 5, {"-0.00032781237609627208078", "2.2481446566831572312e-5", "-0.0021868981877165981536"});
+  expect_digits<Corotated>(
+      {3, 2}, 20, {"-9.3840813158338030708e-11", "1.5075235426262705254e-9", "-4.8871804155838743326e-10"});
+}
 TEST(OneElement, InThePlaneHasTheseDigits) {
   expect_digits<PlaneStvk>({3, 2, 1}, 20, {"3.4111584652443088365e-6", "1.0390449651096461648e-5"});
   expect_digits<PlaneNeoHookean>({3, 2, 1}, 20, {"0.0015339724002914126590", "0.0043870740437043189529"});
@@ -96,9 +102,27 @@ T minor_of(const Matrix<T, D>& f, int i, int j) {
 
 /// V P(F) for each kind of solid; a, b are its constants, F_33 = 1 in the plane.
 enum class Kind { stvk, neo_hookean, stable, polynomial, corotated, viscous };
+
+/// The rotation next to F: Newton's iteration R <- (R + R^-T)/2 from R = F, which doubles the digits of coefficient 0 and then
+/// the orders: from strains of 0.3 some 7 times for 50 digits and 5 for 20 orders.
+template <class T, int D>
+Matrix<T, D> rotation_next_to(const Matrix<T, D>& f) {
+  Matrix<T, D> rotation = f;
+  for (int n = 0; n < 12; ++n) {
+    Matrix<T, D> cof;
+    for (int r = 0; r < D; ++r)
+      for (int c = 0; c < D; ++c) cof[r][c] = minor_of<T, D>(rotation, r, c);
+    T det(0.0);
+    for (int c = 0; c < D; ++c) det += rotation[0][c] * cof[0][c];
+    for (int r = 0; r < D; ++r)
+      for (int c = 0; c < D; ++c) rotation[r][c] = T(0.5) * (rotation[r][c] + cof[r][c] / det);
+  }
+  return rotation;
+}
+
 template <Kind kind, class T, int D>
 Matrix<T, D> piola(const Matrix<T, D>& f, const Matrix<T, D>& rate, const T& a, const T& b) {
-  using std::log, std::sqrt;
+  using std::log;
   Matrix<T, D> cof, p;
   T j(0.0), i_1(D == 2 ? 1.0 : 0.0);
   for (int r = 0; r < D; ++r)
@@ -125,14 +149,13 @@ Matrix<T, D> piola(const Matrix<T, D>& f, const Matrix<T, D>& rate, const T& a, 
         p[r][c] = a * trace * f[r][c];
         for (int k = 0; k < D; ++k) p[r][c] += T(2.0) * b * f[r][k] * e[k][c];
       }
-  } else if constexpr (kind == Kind::corotated) {  // P = 2 mu (F - R) + lambda (tr R^T F - 2) R in the plane
-    const T cosine = f[0][0] + f[1][1], sine = f[1][0] - f[0][1];
-    const T length = sqrt(T(cosine * cosine + sine * sine));
-    for (int r = 0; r < 2; ++r)
-      for (int c = 0; c < 2; ++c) {
-        const T turn = (r == c ? cosine : r > c ? sine : T(-sine)) / length;
-        p[r][c] = T(2.0) * b * (f[r][c] - turn) + a * (length - T(2.0)) * turn;
-      }
+  } else if constexpr (kind == Kind::corotated) {  // P = 2 mu (F - R) + lambda tr(R^T F - 1) R
+    const auto turn = rotation_next_to<T, D>(f);
+    T stretch(-double(D));
+    for (int r = 0; r < D; ++r)
+      for (int c = 0; c < D; ++c) stretch += turn[r][c] * f[r][c];
+    for (int r = 0; r < D; ++r)
+      for (int c = 0; c < D; ++c) p[r][c] = T(2.0) * b * (f[r][c] - turn[r][c]) + a * stretch * turn[r][c];
   } else {
     for (int r = 0; r < D; ++r)
       for (int c = 0; c < D; ++c) {
@@ -222,6 +245,7 @@ TEST(OneElement, IsThatOfTheDeformationGradient) {
   expect_by_gradient<NeoHookean, Kind::neo_hookean>({lambda, mu}, lambda, mu);
   expect_by_gradient<StableNeoHookean, Kind::stable>({lambda, mu}, l, m);
   expect_by_gradient<PolynomialNeoHookean, Kind::polynomial>({lambda, mu}, lambda + mu, mu);
+  expect_by_gradient<Corotated, Kind::corotated>({lambda, mu}, lambda, mu);
   expect_by_gradient<KelvinVoigt, Kind::viscous>({lambda, mu}, lambda, mu);
 }
 TEST(OneElement, InThePlaneIsThatOfTheDeformationGradient) {
