@@ -67,6 +67,7 @@ const BadScene bad_scenes[] = {
     {"TooFewVelocities", "/particles/velocity", "[[0, 0], [1, 1]]", "particles.velocity", "as many"},
     {"UnknownForce", "/forces/0/type", "\"sprong\"", "forces[0].type",
      "spring, drag, uniform_field, oscillating_field, gravity, floor, neo_hookean, stable_neo_hookean, stvk, "
+     "corotated, "
      "traction, pressure, membrane, bending, angle or dihedral"},
     {"ForceWithoutType", "/forces/1/type", "", "forces[1].type", "is missing"},
     {"ForcesNotAnArray", "/forces", "{}", "forces", "an array"},

@@ -74,6 +74,7 @@ TEST(SolidsInScenes, AreThoseOfTheLibrary) {
   expect_solid<StableNeoHookean>(rubber("stable_neo_hookean"));
   expect_solid<PolynomialNeoHookean>(rubber("stable_neo_hookean", {{"barrier", false}}));
   expect_solid<Stvk>(rubber("stvk"));
+  expect_solid<Corotated>(rubber("corotated"));
   const auto [lambda, mu] = lame(1e5, 0.3);
   expect_solid<Stvk>({{"type", "stvk"}, {"lame", {lambda, mu}}});
 }
@@ -96,6 +97,7 @@ TEST(SolidsInScenes, LieInThePlaneAsStrainOrStress) {
   expect_plane_solid<PlanePolynomialNeoHookean>(
       rubber("stable_neo_hookean", {{"thickness", 0.01}, {"barrier", false}}), of);
   expect_plane_solid<PlaneStvk>(rubber("stvk", thin), of);
+  expect_plane_solid<PlaneCorotated>(rubber("corotated", thin), of);
   expect_plane_solid<PlaneStvk>(rubber("stvk", {{"thickness", 0.01}, {"plane", "stress"}}), plane_stress(of));
 }
 

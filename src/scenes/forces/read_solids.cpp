@@ -161,6 +161,12 @@ void read_stvk(const Value& force, ForcesRead& into) {
       [&] { add_solid<PlaneStvk, PlaneKelvinVoigt>(force, into, true); });
 }
 
+void read_corotated(const Value& force, ForcesRead& into) {
+  by_dimension(
+      force, into, [&] { add_solid<Corotated, KelvinVoigt>(force, into); },
+      [&] { add_solid<PlaneCorotated, PlaneKelvinVoigt>(force, into); });
+}
+
 // ---- loads on faces --------------------------------------------------------------------------------------
 
 std::array<int, 3> sorted(std::array<int, 3> face) {
@@ -252,6 +258,11 @@ std::vector<ForceRecord> solid_records() {
        "where they "
        "may turn inside out and stay so",
        elastic, read_stvk},
+      {"corotated",
+       "Elastic elements linear in the strain that is left when their rotation is taken out; they may turn "
+       "inside out, but "
+       "have a kink where two of their stretches add up to zero (a mirror image is one)",
+       elastic, read_corotated},
       {Traction::name,
        "A load on faces of tetrahedra that keeps its direction",
        {faces, {"stress", "force for each area at rest [Pa], three components", "required"}},
