@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <optional>
+#include <stdexcept>
 
 #include "jetlag/base/text.hpp"
 #include "jetlag/control/frequency_bound.hpp"
@@ -28,6 +30,13 @@ int show(const SceneArguments& arguments) {
   return 0;
 }
 
+/// A bound of the frequencies at the start [1/s]; nothing where forces that depend on velocities leave none.
+std::optional<double> fastest(const Scene& scene) try {
+  return FrequencyMeter(*scene.system)(scene.initial);
+} catch (const std::invalid_argument&) {
+  return std::nullopt;
+}
+
 /// What a scene is and what its run would cost, from one expansion measured here.
 int check(const SceneArguments& arguments) {
   const Scene scene = arguments.load();
@@ -43,10 +52,12 @@ int check(const SceneArguments& arguments) {
                 group.count() == 1 ? "" : "s");
   const auto uncounted = std::ranges::find_if(
       system.elements(), [](const auto& group) { return group.count() > 0 && group.law.unbounded; });
-  if (const double omega = FrequencyMeter(system)(scene.initial); omega > 0)
+  const auto omega = fastest(scene);
+  if (!omega) std::printf("  stiffness   no bound is known where forces depend on velocities\n");
+  if (omega && *omega > 0)
     std::printf(
-        "  stiffness   frequencies up to %.4g rad/s%s; leapfrog is stable below a step of %.4g s%s\n", omega,
-        bounds_need_state(system) ? " at the start" : "", 2 / omega,
+        "  stiffness   frequencies up to %.4g rad/s%s; leapfrog is stable below a step of %.4g s%s\n", *omega,
+        bounds_need_state(system) ? " at the start" : "", 2 / *omega,
         uncounted == system.elements().end() ? "" : (", " + uncounted->law.name + " not counted").c_str());
   const int orders = std::max(1, static_cast<int>(scene.mean_orders + 0.5));
   Expansion<double> series(system, orders + 1);

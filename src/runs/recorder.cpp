@@ -120,8 +120,7 @@ void Recorder::judge_deformation() const {
     if (of.inverted > 0)
       summary.warnings.push_back(
           of.law + ": up to " + std::to_string(of.inverted) + " of " + std::to_string(of.count) +
-          " elements were inside out at once, the worst at t = " + number(of.min_j_time) +
-          " s; neo_hookean does not allow it");
+          " elements were inside out at once, the worst at t = " + number(of.min_j_time) + " s");
 }
 
 void Recorder::judge() const {

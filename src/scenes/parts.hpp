@@ -21,8 +21,9 @@ struct Particles {
   State<double> state;
   std::vector<double> mass;
   std::vector<bool> fixed;
-  Mesh mesh;                 // without vertices and cells where positions were listed
-  Coordinates<double> rest;  // positions at rest [m], of elements whose parameters follow from them
+  Mesh mesh;                          // without vertices and cells where positions were listed
+  std::optional<double> thickness{};  // [m], of triangles by which masses were found
+  Coordinates<double> rest;           // positions at rest [m], of elements whose parameters follow from them
 };
 
 /// What pictures, frames and the summary show of forces.

@@ -107,12 +107,14 @@ void require_finite(const Value& particles, const char* key, const Coordinates<d
                        ": makes numbers beyond 1e150, whose squares overflow; must be " + "smaller");
 }
 
-/// "mass", or that of the elements of the mesh by "density".
+/// "mass", or that of the elements of the mesh by "density" and "thickness".
 void read_mass(const Value& value, Particles& particles) {
   const Mesh& mesh = particles.mesh;
   const auto count = static_cast<std::size_t>(particles.rest.rows());
   const Range any{1e-300, 1e300, true, true, "a number > 0, from 1e-300 to 1e300"};
-  const auto density = value.find("density");
+  const auto density = value.find("density"), thickness = value.find("thickness");
+  if (thickness && (!density || mesh.triangles.empty()))
+    thickness->refuse(density ? "left out: these particles have no triangles" : "left out where density is");
   if (!density) {
     particles.mass = value.at("mass", 1.0).numbers(count, any, "particle");
     return;
@@ -121,18 +123,29 @@ void read_mass(const Value& value, Particles& particles) {
   const double rho = density->number(any);
   if (mesh.tetrahedra.empty() && mesh.triangles.empty())
     density->refuse("left out, and mass in its place: these particles have no tetrahedra or triangles");
-  const double thickness = !mesh.tetrahedra.empty()   ? 1.0
-                           : particles.dimension == 2 ? value.at("thickness", 1.0).number(positive)
-                                                      : value.at("thickness").number(positive);
-  particles.mass = checked(*density, [&] {
-    return !mesh.tetrahedra.empty() ? lumped_masses(particles.rest, mesh.tetrahedra, rho)
-                                    : lumped_masses(particles.rest, mesh.triangles, rho, thickness);
+  particles.mass.assign(count, 0.0);
+  const auto add = [&](const std::vector<double>& more) {
+    for (std::size_t i = 0; i < count; ++i) particles.mass[i] += more[i];
+  };
+  checked(*density, [&] {
+    if (!mesh.tetrahedra.empty()) add(lumped_masses(particles.rest, mesh.tetrahedra, rho));
+    return true;
   });
+  if (!mesh.triangles.empty()) {
+    const Value of_sheets = particles.dimension == 2 ? value.at("thickness", 1.0) : value.at("thickness");
+    particles.thickness = of_sheets.number(positive);
+    checked(*density, [&] {
+      add(lumped_masses(particles.rest, mesh.triangles, rho, *particles.thickness));
+      return true;
+    });
+  }
   for (std::size_t i = 0; i < count; ++i)
     if (!any.contains(particles.mass[i]))
       throw SceneError(density->path() + ": gives particle " + std::to_string(i) + " a mass of " +
                        shown(particles.mass[i]) + " kg" +
-                       (particles.mass[i] == 0 ? ", because it is in no element" : "") +
+                       (particles.mass[i] == 0
+                            ? ", where it is in no element or its elements have no volume to speak of"
+                            : "") +
                        "; must be > 0, from 1e-300 to 1e300; or list mass");
 }
 
@@ -158,8 +171,8 @@ const std::vector<Choice>& particle_choices() {
               "vertices in "
               "equal parts",
               "none"},
-      thickness{"thickness", "[m], > 0, of triangles beside density",
-                "none for tetrahedra; required for sheets in space; 1 in the plane"},
+      thickness{"thickness", "[m], > 0, of triangles beside density; also for forces that say none",
+                "none without density; required for sheets in space; 1 in the plane"},
       rest{"rest", "positions [m] at which elements of solids are at rest, a vector for each particle",
            "none: where they begin"},
       fixed{"fixed", "a list of particles that do not move", "none"};
@@ -239,13 +252,14 @@ Particles read_particles(const Value& value, int dimension, std::uint64_t seed,
   for (const SceneKey& key : named(particle_choices(), origin).keys) keys.push_back(key.key);
   value.only(keys);
   if (origin == "position") particles.state.position = read_rows(value.at("position"), dimension);
+  if (origin == "position" && particles.state.position.rows() == 0)
+    value.at("position").refuse("at least one particle");
   particles.mesh = read_mesh(origin, value, particles.state.position.rows(), dimension, folder);
   if (!value.has("position")) {
     particles.state.position = particles.mesh.position;
     if (!value.has("grid")) value.at("springs", "edges").one_of({"edges"});
   }
   const auto count = static_cast<std::size_t>(particles.state.position.rows());
-  if (count == 0) value.at("position").refuse("at least one particle");
 
   particles.rest = particles.state.position;
   if (const auto rest = value.find("rest")) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "jetlag/base/text.hpp"
 #include "jetlag/forces/forces.hpp"
@@ -53,12 +54,22 @@ Shape shape_of(const Particles& particles, Drawn& drawn) {
   shape.lines = std::move(drawn.lines);
   const bool has_cells = !particles.mesh.tetrahedra.empty() || !particles.mesh.triangles.empty();
   shape.tetrahedra = has_cells ? particles.mesh.tetrahedra : std::move(drawn.tetrahedra);
-  shape.surface = !shape.tetrahedra.empty() ? boundary(shape.tetrahedra, particles.rest)
-                  : has_cells               ? particles.mesh.triangles
-                                            : std::move(drawn.triangles);
+  const auto& sheets = has_cells ? particles.mesh.triangles : drawn.triangles;
+  if (!shape.tetrahedra.empty()) shape.surface = boundary(shape.tetrahedra, particles.rest);
+  shape.surface.insert(shape.surface.end(), sheets.begin(), sheets.end());
   for (std::size_t i = 0; i < particles.fixed.size(); ++i)
     if (particles.fixed[i]) shape.fixed.push_back(static_cast<int>(i));
   return shape;
+}
+
+/// Names a field that swings more than once in some six given steps: no series sees it, and no look at forces need.
+void warn_of_swings(const System<double>& system, double step, std::vector<std::string>& warnings) {
+  for (const auto& group : system.elements())
+    if (group.law.name == OscillatingField::name && group.count() > 0 && group.parameters[3] * step > 1)
+      warnings.push_back("control.step: " + shown(step) +
+                         " s are too long for an oscillating_field of frequency " +
+                         shown(group.parameters[3] / (2 * std::numbers::pi)) +
+                         " 1/s: positions will be off; take steps below a sixth of its period");
 }
 
 /// Refuses numbers that are too large together, such as a mass and the square of its velocity.
@@ -107,6 +118,7 @@ Scene read(Document& document, const std::filesystem::path& folder) {
   Drawn drawn = read_forces(value.at("forces", JsonText{"[]"}), particles, *system, scene.warnings);
   Method method = read_method(value, system, particles.state, scene.seed);
 
+  if (method.fixed_step) warn_of_swings(*system, *method.fixed_step, scene.warnings);
   require_memory(*system, static_cast<int>(method.largest_degree), value.at("particles"));
   require_energy(*system, particles.state, value.at("particles"));
   scene.shape = shape_of(particles, drawn);

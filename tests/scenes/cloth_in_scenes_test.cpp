@@ -139,6 +139,20 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"Rigidity", sheet_of_6_by_4, R"({"type": "bending", "rigidity": -1})", "forces[0].rigidity",
                 ">= 0"},
         Refused{"NoMembrane", sheet_of_6_by_4, R"({"type": "bending"})", "forces[0].rigidity", "no membrane"},
+        Refused{
+            "MembraneOfTwo", sheet_of_6_by_4,
+            membrane +
+                R"(, {"type": "membrane", "elements": {"inside": [[0, 0, 0], [0.5, 0.5, 0]]}, "thickness": 1,
+                                 "young": [1, 2], "poisson": 0.3}, {"type": "bending"})",
+            "forces[2].rigidity", "no membrane"},
+        Refused{"NoInnerEdge", points + "[[0, 1, 2]]", bending, "forces[0].elements",
+                "an edge between two triangles"},
+        Refused{
+            "BeginsFolded",
+            R"("position": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 1, 0]], "rest": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, -1, 0]],
+                   "triangles": [[0, 1, 2], [1, 0, 3]])",
+            R"({"type": "bending", "model": "hinge", "rigidity": 1})", "forces[0].elements, edge 0-1",
+            "full fold"},
         Refused{"AngleOfAFlatModel", sheet_of_6_by_4,
                 R"({"type": "bending", "rigidity": 1, "rest_angle": 0})", "forces[0].rest_angle",
                 "quadratic"},

@@ -66,10 +66,12 @@ TEST(MolecularForces, RefuseWhatHasNoAngle) {
           "0 to pi");
   refused(R"({"type": "angle", "elements": [[0, 1, 2]], "stiffness": 1})", "forces[0].elements[0]",
           "different places", 3, "[[0, 0, 0], [0, 0, 0], [1, 1, 1]]");
+  refused(R"({"type": "dihedral", "elements": [[0, 1, 2, 3]], "stiffness": 1})", "forces[0].elements[0]",
+          "not in line", 3, "[[0, 0, 0], [1, 0, 0], [2, 0, 0], [2, 1, 0]]");
   refused(R"({"type": "dihedral", "elements": [[0, 1, 2, 3]], "stiffness": 1, "multiplicity": 4})",
           "forces[0].multiplicity", "1 to 3", 3, "[[0, 1, 0], [0, 0, 0], [1, 0, 0], [1, 0, 1]]");
-  refused(R"({"type": "dihedral", "elements": [[0, 1, 2, 3]], "stiffness": 1})", "forces[0]", "dimension", 2,
-          "[[0, 1], [0, 0], [1, 0], [1, 1]]");
+  refused(R"({"type": "dihedral", "elements": [[0, 1, 2, 3]], "stiffness": 1})", "dimension: got 2",
+          "must be 3 for forces[0]", 2, "[[0, 1], [0, 0], [1, 0], [1, 1]]");
 }
 
 }  // namespace

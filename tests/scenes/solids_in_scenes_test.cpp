@@ -188,7 +188,7 @@ TEST(LoadsInScenes, GoOverTheFacesThatAreChosen) {
   EXPECT_NEAR(z, -2, 1e-15 * 24);
   // Pressure from outside on a closed surface: nothing moves as a whole, each face is pushed in.
   const Scene squeezed = scene(unit_box, {{{"type", "pressure"}, {"pressure", 1000}}});
-  EXPECT_THAT(squeezed.warnings, IsEmpty());
+  EXPECT_THAT(squeezed.warnings, ElementsAre(HasSubstr("what the pressure works is missing")));
   const auto push = forces_at_start(squeezed);
   const Eigen::Map<const Eigen::VectorXd> mass(squeezed.system->mass().data(), 27);
   EXPECT_LT((mass.transpose() * push).norm(), 1e-12 * 6000);
@@ -233,6 +233,43 @@ TEST(DragInScenes, MayBeARate) {
 TEST(FixedEnds, LieAlongTheirAxis) {
   const Scene read = scene(box_of({1, 1, 1}, {1, 1, 1}, {{"fix_axis", "x"}, {"fix_below", 0}}), {});
   for (int i = 0; i < 8; ++i) EXPECT_EQ(read.system->fixed()[i], read.initial.position(i, 0) == 0) << i;
+}
+
+/// As the shear goes to zero, so does what is left of viscosity in plane stress: 2 lambda mu / (lambda + 2 mu).
+TEST(SolidsInScenes, HaveNoViscosityInPlaneStressWithoutShear) {
+  const Scene none =
+      scene(box_of({2, 1}, {4, 2}),
+            {rubber("stvk", {{"plane", "stress"}, {"viscosity", {{"bulk_like", 10}, {"shear", 0}}}})}, 2);
+  EXPECT_EQ(none.system->elements().size(), 1u);
+}
+
+TEST(SolidsInScenes, TakeTheThicknessOfTheirMass) {
+  const Json of_mass = box_of({2, 1}, {4, 2}, {{"density", 960}, {"thickness", 0.1}});
+  EXPECT_EQ(scene(of_mass, {rubber("stvk")}, 2).system->elements()[0].parameters,
+            scene(of_mass, {rubber("stvk", {{"thickness", 0.1}})}, 2).system->elements()[0].parameters);
+  EXPECT_THAT(scene(of_mass, {rubber("stvk", {{"thickness", 0.2}})}, 2).warnings,
+              ElementsAre(AllOf(HasSubstr("forces[0].thickness: 0.2 m"), HasSubstr("0.1 m"))));
+}
+
+TEST(SolidsInScenes, AddTheMassesOfBodiesAndSheets) {
+  const Scene read = scene({{"position", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
+                            {"tetrahedra", {{0, 1, 2, 3}}},
+                            {"triangles", {{0, 1, 2}}},
+                            {"density", 24},
+                            {"thickness", 0.5}},
+                           {});
+  EXPECT_THAT(read.system->mass(), ElementsAre(3, 3, 3, 1));  // 24/6/4 each, and 24/2 * 0.5 / 3
+  EXPECT_EQ(read.shape.surface.size(), 5u);
+}
+
+TEST(GustsInScenes, AreTooFastForLongSteps) {
+  const auto swings = [](double frequency) {
+    return scene({{"position", {{0, 0, 0}}}},
+                 {{{"type", "oscillating_field"}, {"acceleration", {0, 0, 1}}, {"frequency", frequency}}})
+        .warnings;
+  };
+  EXPECT_THAT(swings(100), IsEmpty());  // steps of 1e-3 s
+  EXPECT_THAT(swings(200), ElementsAre(AllOf(HasSubstr("control.step: 0.001 s"), HasSubstr("200 1/s"))));
 }
 
 TEST(SolidsInScenes, WarnOfWhatIsNotWhatWasMeant) {
@@ -342,7 +379,29 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"FixAxis", R"({"box": {"lengths": [1, 1], "cells": [1, 1]}, "fix_axis": "z"})", R"({})",
                 "particles.fix_axis", "x", 2},
         Refused{"DragTwice", cube, R"({"type": "drag", "rate": 1, "coefficient": 1})", "forces[0].rate",
-                "beside coefficient"}),
+                "beside coefficient"},
+        Refused{"ElementTwice", four, R"({"elements": [[0, 1, 2, 3], [1, 2, 0, 3]]})",
+                "forces[0].elements[1]", "of number 0"},
+        Refused{
+            "CellTwice",
+            R"({"position": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], "tetrahedra": [[0, 1, 2, 3], [0, 1, 2, 3]]})",
+            "{}", "particles.tetrahedra[1]", "listed once"},
+        Refused{"FaceTwice", cube, R"({"type": "pressure", "faces": [[0, 1, 4], [1, 0, 4]], "pressure": 1})",
+                "forces[0].faces", ""},
+        Refused{"NoElements", cube, R"({"elements": []})", "forces[0].elements",
+                "such that there are elements"},
+        Refused{"ElementsOfNoKind", cube, R"({"elements": 3})", "forces[0].elements",
+                "inside or outside, or a list"},
+        Refused{"CornersExchanged", cube, R"({"elements": {"outside": [[1, 1, 1], [0, 0, 0]]}})",
+                "forces[0].elements.outside", "lowest first"},
+        Refused{"ThicknessOfABody",
+                R"({"box": {"lengths": [1, 1, 1], "cells": [1, 1, 1]}, "density": 1, "thickness": 1})", "{}",
+                "particles.thickness", "no triangles"},
+        Refused{"ThicknessBesideMass",
+                R"({"box": {"lengths": [1, 1], "cells": [1, 1]}, "mass": 1, "thickness": 1})", "{}",
+                "particles.thickness", "where density is", 2},
+        Refused{"NoPositions", R"({"position": [], "tetrahedra": [[0, 1, 2, 3]]})", "{}",
+                "particles.position", "at least one"}),
     [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace

@@ -3,6 +3,8 @@
 // Elements of solids and of cloth in a scene: which ones there are.
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,20 @@ inline std::string path_of(const Value& list, std::size_t e) {
                          : list.path() + ", number " + std::to_string(e);
 }
 
+/// Refuses a list that is empty, and one that names the same particles twice.
+template <std::size_t P>
+void require_no_repeats(const Value& list, const Cells<P>& cells) {
+  if (cells.empty()) list.refuse("such that there are elements");
+  std::map<std::array<int, P>, std::size_t> first;
+  for (std::size_t e = 0; e < cells.size(); ++e) {
+    std::array<int, P> members = cells[e];
+    std::ranges::sort(members);
+    if (const auto [known, is_new] = first.emplace(members, e); !is_new)
+      throw SceneError(path_of(list, e) + ": the same particles as of number " +
+                       std::to_string(known->second) + "; must be listed once");
+  }
+}
+
 /// {"inside": [low, high]}, {"outside": [low, high]}: cells whose middle at rest is within the box of two corners, or not.
 template <std::size_t P>
 Cells<P> selected(const Value& value, const Cells<P>& from, const Particles& particles) {
@@ -31,6 +47,8 @@ Cells<P> selected(const Value& value, const Cells<P>& from, const Particles& par
   const int dimension = particles.dimension;
   if (!corners.is_array() || corners.size() != 2) corners.refuse("two corners of a box, the lowest first");
   const auto low = corners.at(0).vector(dimension), high = corners.at(1).vector(dimension);
+  for (int c = 0; c < dimension; ++c)
+    if (!(low[c] <= high[c])) corners.refuse("two corners of a box, the lowest first");
   Cells<P> kept;
   for (const auto& cell : from) {
     bool within = true;
@@ -58,7 +76,9 @@ template <std::size_t P>
 Cells<P> read_elements(const Value& value, const Particles& particles, Drawn& drawn) {
   const Cells<P>& mesh = cells_of<P>(particles.mesh);
   if (!value.is_array()) {
-    if (!value.is_object()) value.one_of({"mesh"});
+    if (!value.is_object() && !value.is_string())
+      value.refuse("\"mesh\", an object with inside or outside, or a list of elements");
+    if (value.is_string()) value.one_of({"mesh"});
     if (mesh.empty())
       value.refuse(std::string("a list of ") + (P == 4 ? "tetrahedra" : "triangles") +
                    ": these particles have none");
@@ -67,6 +87,7 @@ Cells<P> read_elements(const Value& value, const Particles& particles, Drawn& dr
   Cells<P> cells;
   for (std::size_t e = 0; e < value.size(); ++e)
     cells.push_back(read_members<P>(value.at(e), particles.rest.rows()));
+  require_no_repeats<P>(value, cells);
   if constexpr (P == 4)
     drawn.tetrahedra.insert(drawn.tetrahedra.end(), cells.begin(), cells.end());
   else

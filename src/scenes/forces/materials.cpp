@@ -56,6 +56,17 @@ std::vector<Lame<double>> read_viscosity(const Value& force, const std::vector<L
   return viscous;
 }
 
+double read_thickness(const Value& force, ForcesRead& into) {
+  const auto& of_mass = into.particles.thickness;
+  const bool is_required = into.particles.dimension == 3 && !of_mass;
+  const Value value = is_required ? force.at("thickness") : force.at("thickness", of_mass.value_or(1.0));
+  const double thickness = value.number(positive);
+  if (of_mass && thickness != *of_mass)
+    into.warnings.push_back(value.path() + ": " + shown(thickness) + " m, but the mass is that of " +
+                            shown(*of_mass) + " m (particles.thickness)");
+  return thickness;
+}
+
 bool is_viscous(const std::vector<Lame<double>>& viscous) {
   return std::ranges::any_of(viscous, [](const auto& v) { return v.lambda != 0 || v.mu != 0; });
 }

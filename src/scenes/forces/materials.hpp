@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "jetlag/forces/solids/lame.hpp"
+#include "scenes/choices.hpp"
 #include "scenes/keys.hpp"
 #include "scenes/reader.hpp"
 
@@ -23,6 +24,9 @@ std::vector<Lame<double>> read_lame(const Value& force, std::size_t count,
 
 /// "damping_time" [s] or "viscosity" [Pa s], of each element.
 std::vector<Lame<double>> read_viscosity(const Value& force, const std::vector<Lame<double>>& elastic);
+
+/// "thickness" [m] of triangles: that of the particles where it is left out; in the plane else 1. Warns of two that differ.
+double read_thickness(const Value& force, ForcesRead& into);
 
 bool is_viscous(const std::vector<Lame<double>>& viscous);
 

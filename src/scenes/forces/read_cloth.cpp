@@ -33,17 +33,18 @@ void read_membrane(const Value& force, ForcesRead& into) {
   const Value listed = force.at("elements", "mesh");
   const Cells<3> cells = read_elements<3>(listed, into.particles, into.drawn);
   require_rest_shapes<3>(listed, cells, into.particles.rest);
-  const double thickness = force.at("thickness").number(positive);
+  const double thickness = read_thickness(force, into);
   std::vector<std::string> of_locking;  // a sheet is free across: it does not lock
   const auto elastic = read_lame(force, cells.size(), of_locking);
   const auto viscous = read_viscosity(force, elastic);
   const bool of_one_material = std::ranges::all_of(
       elastic, [&](const auto& of) { return of.lambda == elastic[0].lambda && of.mu == elastic[0].mu; });
+  into.rigidity.reset();
   if (!elastic.empty() && of_one_material) into.rigidity = plate_rigidity(elastic[0], thickness);
   const auto constants = [&](const std::vector<Lame<double>>& of) {
     std::vector<std::array<double, 3>> all;
     for (const auto& bulk : of) {
-      const Lame<double> thin = bulk.mu > 0 ? plane_stress(bulk) : bulk;
+      const Lame<double> thin = plane_stress(bulk);
       all.push_back({thin.lambda, thin.mu, thickness});
     }
     return all;
@@ -75,6 +76,22 @@ double read_angle_share(const Value& force) {
   return 0;
 }
 
+std::string edge_of(const Value& listed, const std::array<int, 4>& hinge) {
+  return listed.path() + ", edge " + std::to_string(hinge[0]) + "-" + std::to_string(hinge[1]);
+}
+
+/// Where one triangle lies on the other, the angle is pi and -pi, and a flat one has none.
+void require_no_full_fold(const Value& listed, const std::vector<std::array<int, 4>>& hinges,
+                          const Coordinates<double>& position) {
+  for (const auto& hinge : hinges) {
+    const double angle = detail::Fold<double>(corners_of<3>(hinge, position)).angle();
+    if (!(std::abs(angle) < 3.1415916))
+      throw SceneError(
+          edge_of(listed, hinge) +
+          ": begins in full fold, or with a flat triangle; the model hinge must have an angle there");
+  }
+}
+
 template <ForceLaw L, class... Material>
 void add_hinges(const Value& listed, const std::vector<std::array<int, 4>>& hinges, ForcesRead& into,
                 Material... material) {
@@ -83,8 +100,7 @@ void add_hinges(const Value& listed, const std::vector<std::array<int, 4>>& hing
       parameters.push_back(
           L::template at_rest<double>(corners_of<3>(hinge, into.particles.rest), material...));
     } catch (const std::invalid_argument& why) {
-      throw SceneError(listed.path() + ", edge " + std::to_string(hinge[0]) + "-" + std::to_string(hinge[1]) +
-                       ": " + why.what());
+      throw SceneError(edge_of(listed, hinge) + ": " + why.what());
     }
   checked(listed, [&] {
     into.system.add<L>(hinges, parameters);
@@ -100,7 +116,9 @@ void read_bending(const Value& force, ForcesRead& into) {
   require_rest_shapes<3>(listed, cells, into.particles.rest);
   const double rigidity = read_rigidity(force.at("rigidity", "from_membrane"), into);
   const auto hinges = checked(listed, [&] { return hinges_of(cells); });
+  if (hinges.empty()) listed.refuse("such that there is an edge between two triangles");
   if (force.at("model", "quadratic").one_of({"quadratic", "hinge"}) == "hinge") {
+    require_no_full_fold(listed, hinges, into.particles.state.position);
     add_hinges<Hinge>(listed, hinges, into, rigidity, read_angle_share(force));
   } else {
     if (const auto angle = force.find("rest_angle"))
@@ -117,7 +135,8 @@ std::vector<ForceRecord> cloth_records() {
        "A sheet of triangles in space that resists stretching and shearing (St. Venant and Kirchhoff's law "
        "in plane "
        "stress)",
-       joined({elastic_keys(), {{"thickness", "[m], > 0", "required"}}}), read_membrane},
+       joined({elastic_keys(), {{"thickness", "[m], > 0", "required, or that of the particles"}}}),
+       read_membrane},
       {Bending::name,
        "Edges between triangles of a sheet that resist bending. With right-angled triangles it is up to "
        "three times "

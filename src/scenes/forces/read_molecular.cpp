@@ -17,16 +17,25 @@ namespace {
 template <std::size_t P>
 Cells<P> read_bonded(const Value& list, ForcesRead& into) {
   Cells<P> all;
+  if (list.size() == 0) list.refuse("such that there are elements");
   for (std::size_t e = 0; e < list.size(); ++e) {
     all.push_back(read_members<P>(list.at(e), into.particles.rest.rows()));
     for (std::size_t i = 1; i < P; ++i) {
       const int a = all[e][i - 1], b = all[e][i];
-      if (into.particles.state.position.row(a) == into.particles.state.position.row(b))
+      if (into.particles.state.position.row(a) == into.particles.state.position.row(b) ||
+          into.particles.rest.row(a) == into.particles.rest.row(b))
         list.at(e).refuse("of particles that lie in different places, neighbours along the bonds");
       into.drawn.lines.push_back({a, b});
     }
   }
   return all;
+}
+
+void require_dimensions(const Value& force, const ForcesRead& into, int low, int high) {
+  if (low <= into.particles.dimension && into.particles.dimension <= high) return;
+  throw SceneError("dimension: got " + std::to_string(into.particles.dimension) + "; must be " +
+                   (low < high ? std::to_string(low) + " or " : "") + std::to_string(high) + " for " +
+                   force.path());
 }
 
 double cosine_at(const std::array<int, 3>& element, const Coordinates<double>& rest) {
@@ -36,6 +45,7 @@ double cosine_at(const std::array<int, 3>& element, const Coordinates<double>& r
 }
 
 void read_angle(const Value& force, ForcesRead& into) {
+  require_dimensions(force, into, 2, 3);
   const Cells<3> elements = read_bonded<3>(force.at("elements"), into);
   const auto stiffness = force.at("stiffness").numbers(elements.size(), non_negative, "element");
   const Value angle = force.at("angle", "initial");
@@ -57,7 +67,15 @@ void read_angle(const Value& force, ForcesRead& into) {
 }
 
 void read_dihedral(const Value& force, ForcesRead& into) {
-  const Cells<4> elements = read_bonded<4>(force.at("elements"), into);
+  require_dimensions(force, into, 3, 3);
+  const Value listed = force.at("elements");
+  const Cells<4> elements = read_bonded<4>(listed, into);
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    const auto [a, b, c, d] = elements[e];
+    const detail::Fold<double> fold(corners_of<3>(std::array{b, c, a, d}, into.particles.state.position));
+    if (!(fold.n_2.norm() > 0 && fold.n_3.norm() > 0))
+      listed.at(e).refuse("of bonds that are not in line where they begin");
+  }
   const auto stiffness = force.at("stiffness").numbers(elements.size(), any_number, "element"),
              phase = force.at("phase", 0.0).numbers(elements.size(), any_number, "element");
   std::vector<std::array<double, 2>> parameters;

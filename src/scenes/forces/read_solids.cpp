@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -20,24 +21,28 @@ namespace jetlag {
 
 namespace {
 
-Material read_material(const Value& force, const ForcesRead& into, std::size_t count, bool has_plane_stress,
+Material read_material(const Value& force, ForcesRead& into, std::size_t count, bool has_plane_stress,
                        std::vector<std::string>& warnings) {
   Material material;
-  material.elastic = read_lame(force, count, warnings);
+  std::vector<std::string> of_locking;
+  material.elastic = read_lame(force, count, of_locking);
   material.viscous = read_viscosity(force, material.elastic);
   if (into.particles.dimension == 3) {
     for (const char* key : {"plane", "thickness"})
       if (const auto value = force.find(key)) value->refuse("left out in space");
+    std::ranges::move(of_locking, std::back_inserter(warnings));
     return material;
   }
-  material.thickness = force.at("thickness", 1.0).number(positive);
+  material.thickness = read_thickness(force, into);
   const Value plane = force.at("plane", "strain");
-  if (plane.one_of({"strain", "stress"}) == "strain") return material;
+  if (plane.one_of({"strain", "stress"}) == "strain") {
+    std::ranges::move(of_locking, std::back_inserter(warnings));
+    return material;
+  }
   if (!has_plane_stress)
     plane.refuse("strain: of this law the stretch across would be the root of an equation; stvk has stress");
   for (auto* constants : {&material.elastic, &material.viscous})
-    for (Lame<double>& of : *constants)
-      if (of.mu > 0) of = plane_stress(of);
+    for (Lame<double>& of : *constants) of = plane_stress(of);
   return material;
 }
 
@@ -182,8 +187,11 @@ Cells<3> read_faces(const Value& value, const Particles& particles) {
   if (particles.mesh.tetrahedra.empty())
     value.refuse("left out with its force: these particles have no tetrahedra");
   const Cells<3> outside = boundary(particles.mesh.tetrahedra, particles.rest);
+  if (outside.empty()) value.refuse("left out with its force: the tetrahedra have no face of their own");
   if (value.is_object()) return selected<3>(value, outside, particles);
   if (!value.is_array()) {
+    if (!value.is_string())
+      value.refuse("\"boundary\", an object with inside or outside, or a list of faces");
     value.one_of({"boundary"});
     return outside;
   }
@@ -195,6 +203,7 @@ Cells<3> read_faces(const Value& value, const Particles& particles) {
     if (found == turned.end()) value.at(e).refuse("a face of exactly one tetrahedron");
     faces.push_back(found->second);
   }
+  require_no_repeats<3>(value, faces);
   return faces;
 }
 
@@ -222,10 +231,8 @@ void read_pressure(const Value& force, ForcesRead& into) {
   const auto pressure = force.at("pressure").numbers(faces.size(), any_number, "face");
   std::vector<std::array<double, 1>> parameters;
   for (const double p : pressure) parameters.push_back({p});
-  if (!is_closed(faces))
-    into.warnings.push_back(listed.path() +
-                            ": the surface is open, where a pressure that follows it has no energy: what it "
-                            "works is missing in the sums of energies");
+  into.warnings.push_back(listed.path() + (is_closed(faces) ? ": what" : ": the surface is open; what") +
+                          " the pressure works is missing in the sums of energies");
   into.system.add<Pressure>(faces, parameters);
 }
 
@@ -234,7 +241,7 @@ void read_pressure(const Value& force, ForcesRead& into) {
 std::vector<ForceRecord> solid_records() {
   const SceneKeys elastic = joined(
       {elastic_keys(),
-       {{"thickness", "[m], > 0, of triangles", "none in space; 1 in the plane"},
+       {{"thickness", "[m], > 0, of triangles", "none in space; in the plane that of the particles, or 1"},
         {"plane", "in the plane: `strain`; of `stvk` also `stress`", "none in space; strain in the plane"}}});
   const SceneKey faces{
       "faces",

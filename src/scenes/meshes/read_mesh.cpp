@@ -6,6 +6,7 @@
 
 #include "jetlag/base/text.hpp"
 #include "jetlag/scenes/error.hpp"
+#include "scenes/forces/elements.hpp"
 #include "scenes/parts.hpp"
 
 namespace jetlag {
@@ -72,6 +73,7 @@ template <std::size_t P>
 std::vector<std::array<int, P>> read_listed_cells(const Value& list, Eigen::Index count) {
   std::vector<std::array<int, P>> cells;
   for (std::size_t e = 0; e < list.size(); ++e) cells.push_back(read_members<P>(list.at(e), count));
+  require_no_repeats<P>(list, cells);
   return cells;
 }
 

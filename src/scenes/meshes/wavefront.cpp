@@ -2,9 +2,11 @@
 // Surfaces in Wavefront's format: lines "v x y z" and "f a b c ..", among others that are passed over.
 // Source: M. Reddy, B-spline and Wavefront formats, appendix B1 of Advanced Visualizer Manual, Wavefront Technologies. The
 // readers of other projects take a word that is no number for 0 (tinyobjloader 2.0), which nobody would see in a motion.
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <new>
 #include <numeric>
+#include <set>
 
 #include "jetlag/scenes/error.hpp"
 #include "jetlag/scenes/mesh.hpp"
@@ -26,18 +28,33 @@ class Surface {
       else if (word == "f")
         face();
       else
-        words_.pass_over_line();
+        other(word);
     }
     if (flat_.empty()) words_.refuse("there are no vertices (v)");
     if (mesh_.triangles.empty()) words_.refuse("there are no faces (f)");
     mesh_.position = Coordinates<double>::Map(flat_.data(), count(), 3);
     mesh_.edges = edges_of({}, mesh_.triangles);
+    require_no_repeats();
+    if (!unknown_.empty())
+      mesh_.warnings.push_back("mesh: " + words_.name() + ", " + unknown_ + ": not known, and passed over");
     warn_of_loose_vertices();
     warn_of_seams();
     return std::move(mesh_);
   }
 
  private:
+  /// Lines that say nothing of the shape; of what is not known, the first is named.
+  void other(const std::string& word) {
+    static const std::set<std::string> known = {
+        "vt",        "vn",     "vp",     "g",      "o",     "s",    "l",        "p",        "usemtl",
+        "mtllib",    "mg",     "usemap", "maplib", "bevel", "lod",  "c_interp", "d_interp", "shadow_obj",
+        "trace_obj", "cstype", "deg",    "bmat",   "step",  "curv", "curv2",    "surf",     "parm",
+        "trim",      "hole",   "scrv",   "sp",     "end",   "con"};
+    if (!known.contains(word) && unknown_.empty())
+      unknown_ = "line " + std::to_string(words_.line()) + " with '" + word.substr(0, 40) + "'";
+    words_.pass_over_line();
+  }
+
   long count() const { return static_cast<long>(flat_.size() / 3); }
 
   /// Beyond three there may be a weight or a colour.
@@ -63,7 +80,19 @@ class Surface {
     return static_cast<int>(own);
   }
 
-  /// One of more than three corners becomes a fan about the first.
+  using Point = Eigen::Vector3d;
+  Point at(int vertex) const { return Eigen::Map<const Point>(&flat_[3 * static_cast<std::size_t>(vertex)]); }
+
+  /// Whether the fan about a corner covers a polygon once: no triangle is turned against the polygon's area vector (Newell).
+  bool is_fan(const std::vector<int>& corners, const Point& area) const {
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+      const Point a = at(corners[i]) - at(corners[0]), b = at(corners[i + 1]) - at(corners[0]);
+      if (!(a.cross(b).dot(area) > 0)) return false;
+    }
+    return true;
+  }
+
+  /// One of more than three corners becomes a fan about the first that will do.
   void face() {
     std::vector<int> corners;
     for (std::string word; words_.next_in_line(word);) corners.push_back(corner(word));
@@ -72,8 +101,26 @@ class Surface {
     std::ranges::sort(sorted);
     if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end())
       words_.refuse("a face has vertex " + std::to_string(*twice + 1) + " twice");
+    if (corners.size() > 3) {
+      Point area = Point::Zero();
+      for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+        area += (at(corners[i]) - at(corners[0])).cross(at(corners[i + 1]) - at(corners[0]));
+      std::size_t turns = 0;
+      for (; turns < corners.size() && !is_fan(corners, area); ++turns)
+        std::ranges::rotate(corners, corners.begin() + 1);
+      if (turns == corners.size()) words_.refuse("a face that is not convex: cut it into triangles");
+    }
     for (std::size_t i = 1; i + 1 < corners.size(); ++i)
       mesh_.triangles.push_back({corners[0], corners[i], corners[i + 1]});
+  }
+
+  void require_no_repeats() const {
+    std::vector<std::array<int, 3>> sorted = mesh_.triangles;
+    for (auto& t : sorted) std::ranges::sort(t);
+    std::ranges::sort(sorted);
+    if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end())
+      words_.refuse("two faces have the vertices " + std::to_string((*twice)[0] + 1) + ", " +
+                    std::to_string((*twice)[1] + 1) + " and " + std::to_string((*twice)[2] + 1));
   }
 
   void warn_of_loose_vertices() {
@@ -109,6 +156,7 @@ class Surface {
   Words& words_;
   Mesh mesh_;
   std::vector<double> flat_;
+  std::string unknown_;
 };
 
 }  // namespace

@@ -38,6 +38,7 @@ bool Words::next_line() {
       if (line_.size() > longest_line)
         refuse("a line longer than " + std::to_string(longest_line) + " characters");
     }
+    if (number_ == 1 && line_.starts_with("\xEF\xBB\xBF")) line_.erase(0, 3);  // a byte-order mark
   } catch (const std::ios_base::failure&) {  // of the system: this is a file, but gives nothing to read
     refuse("it cannot be read");
   }
@@ -51,9 +52,14 @@ bool Words::next(std::string& word) {
 }
 
 bool Words::next_in_line(std::string& word) {
-  if (!word_at(word)) return false;
-  if (word != "\\") return true;
-  return next_line() && next_in_line(word);
+  const bool goes_on =
+      !line_.empty() && line_[std::min(line_.find_last_not_of(space), line_.size() - 1)] == '\\';
+  if (word_at(word)) {
+    const bool is_last = goes_on && line_.find_first_not_of(space, at_) == std::string::npos;
+    if (is_last) word.pop_back();
+    if (!word.empty()) return true;
+  }
+  return goes_on && next_line() && next_in_line(word);
 }
 
 bool Words::word_at(std::string& word) {

@@ -28,10 +28,12 @@ Lame<T> lame(const T& young, const T& poisson) {
 }
 
 /// Of a thin sheet without stress across it: lambda -> 2 lambda mu / (lambda + 2 mu). Exact for `plane_stvk`, whose law is
-/// else that of a slice that keeps its thickness (plane strain).
+/// else that of a slice that keeps its thickness (plane strain). Of viscosities in proportion to the elastic constants it is
+/// exact too. Both zero stay zero.
 template <class T>
 Lame<T> plane_stress(const Lame<T>& of) {
-  return {T(2) * of.lambda * of.mu / (of.lambda + T(2) * of.mu), of.mu};
+  const T whole = of.lambda + T(2) * of.mu;
+  return {whole == T(0) ? T(0) : T(2) * of.lambda * of.mu / whole, of.mu};
 }
 
 }  // namespace jetlag
