@@ -20,8 +20,8 @@ Named(const char*, F) -> Named<F>;
 /// Of stretches x, y, 1.
 template <class T>
 std::pair<T, T> stretch_invariants_of_diagonal(const T& x, const T& y) {
-  const T xx = x * x, yy = y * y;
-  return stretch_invariants(T(xx + yy + 1.0), T(xx * yy + xx + yy), T(x * y));
+  const T xx = pow(x, 2), yy = pow(y, 2);  // a tape knows squares, and has its own order of three terms
+  return stretch_invariants(T(xx + yy + 1.0), T(xx * (1.0 + yy) + yy), T(x * y));
 }
 
 /// Functions of x and y, 1/8 < x_0 < 7/8 < 1 < y_0 < 2; further out each leaves its range somewhere.

@@ -37,7 +37,8 @@ template <class R>
 constexpr Interval domain() {
   if (std::is_same_v<R, Asin> || std::is_same_v<R, Acos> || std::is_same_v<R, Atanh>) return {0.125, 0.875};
   if (std::is_same_v<R, Acosh>) return {1.125, 2.0};
-  if (std::is_same_v<R, SecondStretchInvariant>) return {3.0, 4.0};  // q = a (a^2 - I) / 2 - J > 0
+  if (std::is_same_v<R, FirstStretchInvariant> || std::is_same_v<R, SecondStretchInvariant>)
+    return {20.0, 21.0};  // there is a root below sqrt(3 I): I^2 > II + 2 J sqrt(3 I)
   if (std::is_same_v<R, Sign> || std::is_same_v<R, Abs> || std::is_same_v<R, BySign>) return {-1.0, 1.0};
   return {0.5, 2.0};
 }

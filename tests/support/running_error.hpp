@@ -206,10 +206,9 @@ struct RunningError {
   friend RunningError first_stretch_invariant(const RunningError& i, const RunningError& ii,
                                               const RunningError& j) {
     using jetlag::first_stretch_invariant;
-    const T a = first_stretch_invariant(i.value, ii.value, j.value), b = (a * a - i.value) / 2;
-    const T in_the_equation = 8 * std::numeric_limits<T>::epsilon() * (a * a + i.value) * (a * a + i.value);
-    return {a, T((size(b) * i.error + ii.error + 2 * size(a) * j.error + in_the_equation) /
-                 (2 * size(T(a * b - j.value))))};
+    const RunningError a(first_stretch_invariant(i.value, ii.value, j.value)), b = (a * a - i) / 2;
+    const RunningError left = b * b - ii - 2 * j * a;  // by how much a misses the equation
+    return rounded(a.value, (size(left.value) + left.error) / (2 * size(T(a.value * b.value - j.value))));
   }
   friend RunningError second_stretch_invariant(const RunningError& i, const RunningError& j,
                                                const RunningError& a) {
