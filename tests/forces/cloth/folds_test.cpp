@@ -48,7 +48,7 @@ State<double> folding(double theta, double rate) {
 double angle_of(const State<double>& state) {
   std::array<Vector<double, 3>, 4> x;
   for (int i = 0; i < 4; ++i) x[i] = state.position.row(i);
-  return detail::Fold<double>(x).angle();
+  return jetlag::detail::Fold<double>(x).angle();
 }
 
 TEST(Fold, HasTheAngleByWhichItIsFolded) {  // roundings of numbers near 1
