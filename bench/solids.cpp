@@ -318,6 +318,7 @@ void register_solids() {
   register_law<Stvk>();
   register_law<StableNeoHookean>();
   register_law<PolynomialNeoHookean>();
+  register_law<Corotated>();
   register_cloth<Membrane>("722");
   register_cloth<Bending>("1045");
   register_cloth<Hinge>("1045");
