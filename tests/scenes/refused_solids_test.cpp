@@ -8,7 +8,7 @@
 namespace jetlag::testing::refused_solids_test {
 namespace {
 
-using namespace solid_scenes;
+using solid_scenes::Json, solid_scenes::scene, solid_scenes::rubber;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;

@@ -15,11 +15,11 @@
 namespace jetlag::testing::solids_in_scenes_test {
 namespace {
 
+using solid_scenes::Json, solid_scenes::scene, solid_scenes::rubber, solid_scenes::box_of;
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using namespace solid_scenes;
 
 const Json unit_box = box_of({1, 1, 1}, {2, 2, 2}, {{"density", 960}});
 
