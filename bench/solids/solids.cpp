@@ -14,7 +14,7 @@
 #include <string>
 #include <type_traits>
 
-#include "benchmarks.hpp"
+#include "../benchmarks.hpp"
 #include "jetlag/control/courant.hpp"
 #include "jetlag/control/fixed_step.hpp"
 #include "jetlag/forces/forces.hpp"

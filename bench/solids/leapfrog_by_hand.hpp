@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "problems.hpp"
+#include "../problems.hpp"
 
 namespace jetlag::bench {
 
