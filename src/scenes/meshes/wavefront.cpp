@@ -7,6 +7,7 @@
 #include <new>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include "jetlag/scenes/error.hpp"
 #include "jetlag/scenes/mesh.hpp"
@@ -141,7 +142,7 @@ class Surface {
     std::vector<int> order(static_cast<std::size_t>(count()));
     std::iota(order.begin(), order.end(), 0);
     const auto place = [&](int v) { return std::array{flat_[3 * v], flat_[3 * v + 1], flat_[3 * v + 2]}; };
-    std::ranges::stable_sort(order, {}, place);
+    std::ranges::sort(order, {}, [&](int v) { return std::pair(place(v), v); });
     long again = 0;
     int first = 0;
     for (std::size_t i = 1; i < order.size(); ++i)
