@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What does a tetrahedron cost, and what a triangle of cloth? And where does Taylor's method win over leapfrog that is written by hand for this law alone?
+// What does a tetrahedron cost, and what a triangle of cloth? And where does Taylor's method win over leapfrog that is written
+// by hand for this law alone?
 //
 //   BM_Solid/<law>/<elements>/<degree>     the expansion of a box of cubes, each cut in six; of a square sheet of triangles
 //   BM_SolidAdolC/<degree>                 the same of neo_hookean by ADOL-C: y' = f(y), recorded once, by its driver forode

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "jetlag/scenes/error.hpp"
 #include "jetlag/scenes/mesh.hpp"
 #include "jetlag/scenes/scene.hpp"
 #include "jetlag/truncation/draws.hpp"
@@ -33,6 +34,15 @@ struct Drawn {
   std::vector<std::array<int, 3>> triangles;
   std::vector<std::array<int, 4>> tetrahedra;
 };
+
+/// Refuses the dimension of a scene unless it is from low to high: for this value. hint: what else to do.
+inline void require_dimension(const Value& value, int dimension, int low, int high,
+                              const std::string& hint = "") {
+  if (low <= dimension && dimension <= high) return;
+  throw SceneError("dimension: got " + std::to_string(dimension) + "; must be " +
+                   (low < high ? std::to_string(low) + " or " : "") + std::to_string(high) + " for " +
+                   value.path() + hint);
+}
 
 /// An element: a list of P different particles, 0 .. count-1.
 template <std::size_t P>

@@ -104,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(
             R"({"position": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], "tetrahedra": [[0, 1, 2, 3], [0, 1, 2, 3]]})",
             "{}", "particles.tetrahedra[1]", "listed once"},
         Refused{"FaceTwice", cube, R"({"type": "pressure", "faces": [[0, 1, 4], [1, 0, 4]], "pressure": 1})",
-                "forces[0].faces", ""},
+                "forces[0].faces[1]", "the same particles as of number 0"},
         Refused{"NoElements", cube, R"({"elements": []})", "forces[0].elements",
                 "such that there are elements"},
         Refused{"ElementsOfNoKind", cube, R"({"elements": 3})", "forces[0].elements",

@@ -37,7 +37,7 @@ void expect_square(const std::string& text) {
 TEST(Wavefront, TakesFacesInAllTheirForms) {
   for (const char* faces : {"f 1 2 3\nf 1 3 4\n", "f 1 2 3 4\n", "f -4 -3 -2 -1", "f 1/7 2/8 3/9 4/9\n",
                             "f 1//1 2//1 3//1 4//1\n", "f 1/1/1 2/2/1 \\\n 3/3/1 4/4/1\n",
-                            "f 1 2 3 4 # a square\n", "f 1 2 3\\\n4\n"})
+                            "f 1 2 3 4 # a square\n", "f 1 2 3\\\n4\n", "f 1 2 3 # c:\\\nf 1 3 4\n"})
     expect_square(corners + faces);
 }
 

@@ -16,9 +16,8 @@ namespace jetlag {
 namespace {
 
 void require_space(const Value& force, const ForcesRead& into) {
-  if (into.particles.dimension != 3)
-    throw SceneError("dimension: got " + std::to_string(into.particles.dimension) + "; must be 3 for " +
-                     force.path() + (into.particles.dimension == 2 ? ": in the plane take stvk" : ""));
+  require_dimension(force, into.particles.dimension, 3, 3,
+                    into.particles.dimension == 2 ? ": in the plane take stvk" : "");
 }
 
 /// D = E t^3 / (12 (1 - nu^2)) [N m] of a plate.       Source: G. Kirchhoff's plate theory.

@@ -31,13 +31,6 @@ Cells<P> read_bonded(const Value& list, ForcesRead& into) {
   return all;
 }
 
-void require_dimensions(const Value& force, const ForcesRead& into, int low, int high) {
-  if (low <= into.particles.dimension && into.particles.dimension <= high) return;
-  throw SceneError("dimension: got " + std::to_string(into.particles.dimension) + "; must be " +
-                   (low < high ? std::to_string(low) + " or " : "") + std::to_string(high) + " for " +
-                   force.path());
-}
-
 double cosine_at(const std::array<int, 3>& element, const Coordinates<double>& rest) {
   const Eigen::RowVectorXd a = rest.row(element[0]) - rest.row(element[1]),
                            b = rest.row(element[2]) - rest.row(element[1]);
@@ -45,7 +38,7 @@ double cosine_at(const std::array<int, 3>& element, const Coordinates<double>& r
 }
 
 void read_angle(const Value& force, ForcesRead& into) {
-  require_dimensions(force, into, 2, 3);
+  require_dimension(force, into.particles.dimension, 2, 3);
   const Cells<3> elements = read_bonded<3>(force.at("elements"), into);
   const auto stiffness = force.at("stiffness").numbers(elements.size(), non_negative, "element");
   const Value angle = force.at("angle", "initial");
@@ -67,7 +60,7 @@ void read_angle(const Value& force, ForcesRead& into) {
 }
 
 void read_dihedral(const Value& force, ForcesRead& into) {
-  require_dimensions(force, into, 3, 3);
+  require_dimension(force, into.particles.dimension, 3, 3);
   const Value listed = force.at("elements");
   const Cells<4> elements = read_bonded<4>(listed, into);
   for (std::size_t e = 0; e < elements.size(); ++e) {

@@ -21,26 +21,28 @@ namespace jetlag {
 
 namespace {
 
-Material read_material(const Value& force, ForcesRead& into, std::size_t count, bool has_plane_stress,
-                       std::vector<std::string>& warnings) {
+/// Warns of locking, but not in plane stress, where the material is free across.
+Material read_material(const Value& force, ForcesRead& into, std::size_t count, bool has_plane_stress) {
   Material material;
   std::vector<std::string> of_locking;
   material.elastic = read_lame(force, count, of_locking);
   material.viscous = read_viscosity(force, material.elastic);
+  bool is_plane_stress = false;
   if (into.particles.dimension == 3) {
     for (const char* key : {"plane", "thickness"})
       if (const auto value = force.find(key)) value->refuse("left out in space");
-    std::ranges::move(of_locking, std::back_inserter(warnings));
+  } else {
+    material.thickness = read_thickness(force, into);
+    const Value plane = force.at("plane", "strain");
+    is_plane_stress = plane.one_of({"strain", "stress"}) == "stress";
+    if (is_plane_stress && !has_plane_stress)
+      plane.refuse(
+          "strain: of this law the stretch across would be the root of an equation; stvk has stress");
+  }
+  if (!is_plane_stress) {
+    std::ranges::move(of_locking, std::back_inserter(into.warnings));
     return material;
   }
-  material.thickness = read_thickness(force, into);
-  const Value plane = force.at("plane", "strain");
-  if (plane.one_of({"strain", "stress"}) == "strain") {
-    std::ranges::move(of_locking, std::back_inserter(warnings));
-    return material;
-  }
-  if (!has_plane_stress)
-    plane.refuse("strain: of this law the stretch across would be the root of an equation; stvk has stress");
   for (auto* constants : {&material.elastic, &material.viscous})
     for (Lame<double>& of : *constants) of = plane_stress(of);
   return material;
@@ -104,7 +106,7 @@ void add_solid(const Value& force, ForcesRead& into, bool has_plane_stress = fal
   const Value listed = force.at("elements", "mesh");
   const Cells<P> cells = read_elements<P>(listed, into.particles, into.drawn);
   require_rest_shapes<P - 1>(listed, cells, into.particles.rest);
-  const Material material = read_material(force, into, cells.size(), has_plane_stress, into.warnings);
+  const Material material = read_material(force, into, cells.size(), has_plane_stress);
   if (must_be_positive) require_positive<P>(listed, cells, into.particles);
   warn_of_slivers<P>(listed, cells, into.particles, material, into.warnings);
   const auto constants = [&](const std::vector<Lame<double>>& of) {
@@ -129,11 +131,11 @@ void add_solid(const Value& force, ForcesRead& into, bool has_plane_stress = fal
 /// Runs one of two, for the dimension of space.
 template <class Space, class Plane>
 void by_dimension(const Value& force, const ForcesRead& into, Space in_space, Plane in_the_plane) {
-  switch (into.particles.dimension) {
-    case 3: return in_space();
-    case 2: return in_the_plane();
-    default: throw SceneError("dimension: got 1; must be 2 or 3 for " + force.path());
-  }
+  require_dimension(force, into.particles.dimension, 2, 3);
+  if (into.particles.dimension == 3)
+    in_space();
+  else
+    in_the_plane();
 }
 
 void read_neo_hookean(const Value& force, ForcesRead& into) {
@@ -181,9 +183,7 @@ std::array<int, 3> sorted(std::array<int, 3> face) {
 
 /// "faces": "boundary", a part of it, or a list; turned so that they go left as seen from outside.
 Cells<3> read_faces(const Value& value, const Particles& particles) {
-  if (particles.dimension != 3)
-    throw SceneError("dimension: got " + std::to_string(particles.dimension) + "; must be 3 for " +
-                     value.path());
+  require_dimension(value, particles.dimension, 3, 3);
   if (particles.mesh.tetrahedra.empty())
     value.refuse("left out with its force: these particles have no tetrahedra");
   const Cells<3> outside = boundary(particles.mesh.tetrahedra, particles.rest);

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "jetlag/scenes/mesh.hpp"
+#include "scenes/meshes/triangle_grid.hpp"
 
 namespace jetlag {
 
@@ -76,17 +77,9 @@ Mesh truncated_ellipse(std::array<double, 2> radii, std::array<int, 2> cells, do
       const double f = -lower + (lower + upper) * j / along;
       mesh.position.row(grid(i, j, 0)) << radii[0] * half_width(f) * (2.0 * i / across - 1), radii[1] * f;
     }
-  for (int i = 0; i < across; ++i)
-    for (int j = 0; j < along; ++j) {
-      const int a = grid(i, j, 0), b = grid(i + 1, j, 0), c = grid(i + 1, j + 1, 0), d = grid(i, j + 1, 0);
-      if ((i + j) % 2 == 0) {
-        mesh.triangles.push_back({a, b, c});
-        mesh.triangles.push_back({a, c, d});
-      } else {
-        mesh.triangles.push_back({a, b, d});
-        mesh.triangles.push_back({b, c, d});
-      }
-    }
+  add_triangles(
+      across, along, [&](int i, int j) { return grid(i, j, 0); },
+      [](int i, int j) { return (i + j) % 2 == 0; }, mesh);
   mesh.edges = edges_of({}, mesh.triangles);
   return mesh;
 }

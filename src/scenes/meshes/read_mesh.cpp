@@ -15,12 +15,6 @@ namespace {
 
 std::array<double, 3> three(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
 
-void require_dimension(const Value& value, int dimension, int needed) {
-  if (dimension != needed)
-    throw SceneError("dimension: got " + std::to_string(dimension) + "; must be " + std::to_string(needed) +
-                     " for " + value.path());
-}
-
 Mesh read_ellipsoid(const Value& value) {
   value.only({"radii", "cells", "cut"});
   const auto radii = three(value.at("radii").vector(3, positive));
@@ -48,7 +42,7 @@ Mesh read_ellipse(const Value& value) {
 
 Mesh read_box(const Value& value, int dimension) {
   value.only({"lengths", "cells", "corner"});
-  if (dimension == 1) throw SceneError("dimension: got 1; must be 2 or 3 for " + value.path());
+  require_dimension(value, dimension, 2, 3);
   const auto lengths = value.at("lengths").vector(dimension, positive);
   const Value listed = value.at("cells");
   if (listed.size() != static_cast<std::size_t>(dimension))
@@ -81,11 +75,11 @@ std::vector<std::array<int, P>> read_listed_cells(const Value& list, Eigen::Inde
 Mesh read_cells(const Value& particles, int dimension, Eigen::Index count) {
   Mesh mesh;
   if (const auto list = particles.find("tetrahedra")) {
-    require_dimension(*list, dimension, 3);
+    require_dimension(*list, dimension, 3, 3);
     mesh.tetrahedra = read_listed_cells<4>(*list, count);
   }
   if (const auto list = particles.find("triangles")) {
-    if (dimension == 1) require_dimension(*list, dimension, 2);
+    require_dimension(*list, dimension, 2, 3);
     mesh.triangles = read_listed_cells<3>(*list, count);
   }
   mesh.edges = edges_of(mesh.tetrahedra, mesh.triangles);
@@ -153,7 +147,8 @@ Mesh read_mesh(const std::string& origin, const Value& particles, Eigen::Index l
   const Value value = particles.at(origin);
   if (origin == "box") return read_box(value, dimension);
   if (origin == "grid") return read_grid(particles, dimension);
-  require_dimension(value, dimension, origin == "ellipse" ? 2 : 3);
+  const int needed = origin == "ellipse" ? 2 : 3;
+  require_dimension(value, dimension, needed, needed);
   if (origin == "ellipsoid") return read_ellipsoid(value);
   if (origin == "ellipse") return read_ellipse(value);
   if (origin == "sheet") return read_sheet(value);

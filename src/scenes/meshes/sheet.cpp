@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "jetlag/scenes/mesh.hpp"
+#include "scenes/meshes/triangle_grid.hpp"
 
 namespace jetlag {
 
@@ -36,17 +37,7 @@ Mesh sheet(std::array<double, 2> lengths, std::array<int, 2> cells, SheetPattern
       const double shift = pattern == SheetPattern::equilateral && j % 2 == 1 ? 0.5 : 0.0;
       mesh.position.row(vertex(i, j)) << lengths[0] * (i + shift) / across, lengths[1] * j / along, 0;
     }
-  for (int i = 0; i < across; ++i)
-    for (int j = 0; j < along; ++j) {
-      const int a = vertex(i, j), b = vertex(i + 1, j), c = vertex(i + 1, j + 1), d = vertex(i, j + 1);
-      if (is_cut_upwards(pattern, i, j)) {
-        mesh.triangles.push_back({a, b, c});
-        mesh.triangles.push_back({a, c, d});
-      } else {
-        mesh.triangles.push_back({a, b, d});
-        mesh.triangles.push_back({b, c, d});
-      }
-    }
+  add_triangles(across, along, vertex, [&](int i, int j) { return is_cut_upwards(pattern, i, j); }, mesh);
   mesh.edges = edges_of({}, mesh.triangles);
   return mesh;
 }

@@ -52,8 +52,8 @@ bool Words::next(std::string& word) {
 }
 
 bool Words::next_in_line(std::string& word) {
-  const bool goes_on =
-      !line_.empty() && line_[std::min(line_.find_last_not_of(space), line_.size() - 1)] == '\\';
+  const bool goes_on = line_.find('#') == std::string::npos && !line_.empty() &&
+                       line_[std::min(line_.find_last_not_of(space), line_.size() - 1)] == '\\';
   if (word_at(word)) {
     const bool is_last = goes_on && line_.find_first_not_of(space, at_) == std::string::npos;
     if (is_last) word.pop_back();

@@ -12,8 +12,9 @@ namespace jetlag {
 /// E = k (1 + cos(n phi - phi_0)),   n = 1 .. 6,
 /// of the angle phi about the bond x_1 x_2 between the planes (x_0, x_1, x_2) and (x_1, x_2, x_3): 0 where x_0 and x_3 are on
 /// one side (cis), pi on opposite ones (trans), > 0 clockwise. Of cos phi and sin phi it is a polynomial, by
-/// (cos phi + i sin phi)^n, which knows of no cut at pi. Participants along the bonds. stiffness k [J], phase phi_0 [rad]. The forces follow from the
-/// energy.   Source: W. Cornell et al. (AMBER), J. Am. Chem. Soc. 117 (1995) 5179, eq. 1.
+/// (cos phi + i sin phi)^n, which knows of no cut at pi. Participants along the bonds. stiffness k [J], phase phi_0 [rad]. The
+/// forces follow from the energy.
+/// Source: W. Cornell et al. (AMBER), J. Am. Chem. Soc. 117 (1995) 5179, eq. 1.
 /// Range: bonds that are not in line.   Conserves: momentum, angular momentum, energy.
 template <int n>
   requires(1 <= n && n <= 6)
