@@ -20,6 +20,7 @@ class StepsToChanges {
     using std::abs;
     is_to_change_ = change.has_value();
     if (!change) {
+      short_ = length < asked * T(0x1p-40) ? short_ + 1 : 0;
       instants_ = length < asked * T(0x1p-200) ? instants_ + 1 : 0;
       return length;
     }
@@ -33,26 +34,25 @@ class StepsToChanges {
     if (step < least) step = least;
     if (length < step) step = length;
     instants_ = is_instant ? instants_ + 1 : 0;
+    short_ = step < asked * T(0x1p-40) ? short_ + 1 : 0;
     return step;
   }
   /// The step becomes shorter: it leads to no change, and counts as it does.
   void shorten() { is_to_change_ = false; }
   /// One that leads to no change.
-  void take_none() {
-    is_to_change_ = false;
-    instants_ = 0;
-  }
+  void take_none() { *this = {}; }
 
   /// Whether the step leads to a change.
   bool is_to_change() const { return is_to_change_; }
   /// Whether its length is next to none.
   bool is_instant() const { return instants_ > 0; }
-  /// Whether 100 of them have come in a row: the motion slides along a jump of the force or chatters about it.
-  bool is_stuck() const { return instants_ >= 100; }
+  /// Whether 100 of them have come in a row: the motion slides along a jump of the force or chatters about it. Or 10000 that
+  /// are shorter than 2^-40 of the step that is asked for: it would take years.
+  bool is_stuck() const { return instants_ >= 100 || short_ >= 10000; }
 
  private:
   bool is_to_change_ = false;
-  int instants_ = 0;
+  int instants_ = 0, short_ = 0;
 };
 
 }  // namespace jetlag

@@ -30,8 +30,8 @@ namespace jetlag {
 /// control reads the series, all are. What a control learns of a sequential law is its lower bound.
 ///
 /// Steps that a control chooses end at kinks of forces (control/to_kinks.hpp), and all steps where a choice in a force changes
-/// (forces/force.hpp); 100 of these in a row of next to no length, as of a motion that slides along a jump of the force, end
-/// the run as step_underflow.
+/// (forces/force.hpp); 100 of these in a row of next to no length, as of a motion that slides along a jump of the force, or
+/// 10000 below 2^-40 of the step that is asked for, end the run as step_underflow.
 ///
 /// The forces at the end of a step, with which the next one begins, must be those to which its series leads (step_check.hpp):
 /// steps that a control chooses are halved until they are; where none is short enough the report is step_underflow. Of steps

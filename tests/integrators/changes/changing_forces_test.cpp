@@ -63,6 +63,19 @@ struct Friction {
   }
 };
 
+/// F = +-1 N by turns, in stripes of 1e-20 m * pi.
+struct Stripes {
+  static constexpr const char* name = "stripes";
+  static constexpr int participants = 1;
+  static constexpr std::array<const char*, 0> parameters{};
+  template <class T, int D>
+  static Vector<T, D> force(const Participants<T, D, 1>& p) {
+    Vector<T, D> f = p.position[0] * T(0.0);
+    f[0] = select(sin(1e20 * p.position[0][0]) > 0.0, T(1.0), T(-1.0));
+    return f;
+  }
+};
+
 /// F = -v / |v|.
 struct DryFriction {
   static constexpr const char* name = "dry_friction";
@@ -281,6 +294,32 @@ TEST(ChangingForce, FrictionThatStopsAMotionIsAnOutcome) {
     EXPECT_NEAR(state.time, 1, 1e-6) << way.name;
     EXPECT_NEAR(state.position(0, 0), 0.5, 1e-6) << way.name;
   }
+}
+
+TEST(ChangingForce, ChangesThatLeadNowhereEndTheRun) {
+  // A stripe takes 3e-20 s, a thousandth of a second would take 3e16 of them: after 10000 it says so.
+  System<> system(1, {1.0});
+  system.add<Stripes>({{0}}, {std::array<double, 0>{}});
+  State<> state = at({0}, {1});
+  RunOptions options;
+  options.max_steps = 10'010;
+  const Report given = Lockstep(taylor(system, 6, std::make_unique<FixedStep>(1e-3))).run(state, 1, options);
+  EXPECT_EQ(given.outcome, Outcome::step_underflow);
+  EXPECT_LT(state.time, 1e-15);
+  EXPECT_GT(state.time, 1e-16);
+}
+
+TEST(ChangingForce, ChangesThatAddUpToAStepDoNot) {
+  StepsToChanges<double> often, seldom;
+  double time = 0;
+  for (int n = 0; n < 20'000; ++n) {
+    seldom.step(1.0, 1.0, time, 0x1p-39);
+    time += often.step(1.0, 1.0, time, 0x1p-41);
+    EXPECT_EQ(often.is_stuck(), n >= 9'999) << n;
+    EXPECT_FALSE(seldom.is_stuck()) << n;
+  }
+  often.take_none();
+  EXPECT_FALSE(often.is_stuck());
 }
 
 TEST(ChangingForce, WithoutChoicesNothingIsWatched) {
