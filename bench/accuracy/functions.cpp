@@ -123,6 +123,31 @@ Function sum(std::string name, std::vector<std::string> rules, S written_out) {
       });
 }
 
+/// The same of one operand that is scaled: u + c u + ...
+template <class R>
+Function scaled(std::string name, std::vector<std::string> rules) {
+  constexpr int n = arity<R> / 2;
+  return binary(
+      std::move(name), false, std::move(rules), constant(reals), reals,
+      [](const auto& c, const auto& u) {
+        using J = std::decay_t<decltype(u)>;
+        return [&]<std::size_t... I>(std::index_sequence<I...>) {
+          const auto operand = [&](auto i) -> const auto& {
+            if constexpr (i % 2 == 0)
+              return u;
+            else
+              return c[0];
+          };
+          return lift<R, J>(operand(std::integral_constant<std::size_t, I>{})...);
+        }(std::make_index_sequence<arity<R>>{});
+      },
+      [](const Computed& c, const Computed& u) {
+        True all = sizes(exact(u));
+        for (int i = 0; i < n; ++i) all = all + sizes(exact(c)) * sizes(exact(u));
+        return Terms{all, all};
+      });
+}
+
 std::vector<Function> list() {
   return {
       // arithmetic
@@ -154,6 +179,19 @@ std::vector<Function> list() {
       sum<Dot<2>>("u v + u v", {"dot of 2"}, [](const auto& u, const auto& v) { return u * v + u * v; }),
       sum<Dot<3>>("u v + u v + u v", {"dot of 3"},
                   [](const auto& u, const auto& v) { return u * v + u * v + u * v; }),
+      binary(
+          "u u - v v", false, {"difference of products"}, reals, reals,
+          [](const auto& u, const auto& v) {
+            return lift<DifferenceOfProducts, std::decay_t<decltype(u)>>(u, u, v, v);
+          },
+          [](const Computed& u, const Computed& v) {
+            const True a = sizes(exact(u)), b = sizes(exact(v)), all = a * a + b * b;
+            return Terms{all, all};
+          }),
+      scaled<LinearCombination<1>>("u + c u", {"linear combination of 1"}),
+      scaled<LinearCombination<2>>("u + c u + c u", {"linear combination of 2"}),
+      scaled<LinearCombination<3>>("u + c u + .. (3)", {"linear combination of 3"}),
+      scaled<LinearCombination<5>>("u + c u + .. (5)", {"linear combination of 5"}),
       binary(
           "u / v", single, {"divide"}, reals, not_zero, [](const auto& u, const auto& v) { return u / v; },
           terms_of_quotient),

@@ -34,6 +34,23 @@ void of_products(Adjoints& at, int n) {
   for (int i = 0; i < 2 * n; ++i) at.give(at.operand(i), at.value(at.operand(i ^ 1)));
 }
 
+/// v = u_0 u_1 - u_2 u_3:   the other factor of each, with the sign of the product.
+void of_difference_of_products(Adjoints& at) {
+  for (int i = 0; i < 4; ++i) {
+    const Product other = at.value(at.operand(i ^ 1));
+    at.give(at.operand(i), i < 2 ? other : -other);
+  }
+}
+
+/// v = u_0 + c_1 u_1 + ...:   1,  and of each product the other factor.
+void of_linear_combination(Adjoints& at, int n) {
+  at.give(at.operand(0), 1.0);
+  for (int i = 1; i <= n; ++i) {
+    at.give(at.operand(2 * i), at.value(at.operand(2 * i - 1)));
+    at.give(at.operand(2 * i - 1), at.value(at.operand(2 * i)));
+  }
+}
+
 /// v = u^2 + ...:   2 u.
 void of_squares(Adjoints& at, int n) {
   for (int i = 0; i < n; ++i) at.give(at.operand(i), 2.0 * at.value(at.operand(i)));
@@ -179,6 +196,11 @@ const Entry entries[] = {
     {rule_id<SquaredNorm<3>>, [](At& at) { of_squares(at, 3); }},
     {rule_id<Dot<2>>, [](At& at) { of_products(at, 2); }},
     {rule_id<Dot<3>>, [](At& at) { of_products(at, 3); }},
+    {rule_id<DifferenceOfProducts>, of_difference_of_products},
+    {rule_id<LinearCombination<1>>, [](At& at) { of_linear_combination(at, 1); }},
+    {rule_id<LinearCombination<2>>, [](At& at) { of_linear_combination(at, 2); }},
+    {rule_id<LinearCombination<3>>, [](At& at) { of_linear_combination(at, 3); }},
+    {rule_id<LinearCombination<5>>, [](At& at) { of_linear_combination(at, 5); }},
     {rule_id<Sqrt>, of_sqrt},
     {rule_id<Cbrt>, of_cbrt},
     {rule_id<Power>, of_power},

@@ -77,6 +77,15 @@ constexpr auto arithmetic = std::tuple{
           []<class S>(const S& x, const S& y) {
             return lift<Dot<2>, S>(x, y, x * y, x) * lift<Dot<3>, S>(x, y, x * x, y, x, x);
           }},
+    Named{"differences of products",
+          []<class S>(const S& x, const S& y) { return lift<DifferenceOfProducts, S>(x, y * y, x * y, x); }},
+    Named{"linear combinations",
+          []<class S>(const S& x, const S& y) {
+            return lift<LinearCombination<1>, S>(x, 3.0, y * y) *
+                   lift<LinearCombination<2>, S>(x, 2.0, x * y, -0.5, y) *
+                   lift<LinearCombination<3>, S>(x * x, 2.0, x, -0.5, y, 1.5, x * y) *
+                   lift<LinearCombination<5>, S>(y, 2.0, x, -0.5, y, 1.5, x * y, 0.25, x, 3.0, y);
+          }},
     Named{"conditions",
           [](const auto& x, const auto& y) {
             return select((x < 0.5 && y < 1.5) || !(x <= 0.75), x * y, sqrt(x)) * x;

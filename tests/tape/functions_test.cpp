@@ -79,9 +79,11 @@ Operands random_operands() {
 }
 
 /// What functions are made of: on tapes of kernels_test.cpp, fusion_test.cpp and choices_test.cpp.
-using ArithmeticAndConditions = RuleList<Embed, Add, Subtract, Negate, Offset, Scale, Multiply, Square,
-                                         Divide, DivideByConstant, Reciprocal, Sum<3>, Sum<4>, SquaredNorm<2>,
-                                         SquaredNorm<3>, Dot<2>, Dot<3>, Less, LessOrEqual, And, Or, Not>;
+using ArithmeticAndConditions =
+    RuleList<Embed, Add, Subtract, Negate, Offset, Scale, Multiply, Square, Divide, DivideByConstant,
+             Reciprocal, Sum<3>, Sum<4>, SquaredNorm<2>, SquaredNorm<3>, Dot<2>, Dot<3>, DifferenceOfProducts,
+             LinearCombination<1>, LinearCombination<2>, LinearCombination<3>, LinearCombination<5>, Less,
+             LessOrEqual, And, Or, Not>;
 
 TEST(FunctionsOnATape, AreAllOfTheRegister) {
   std::vector<bool> is_recorded(Rules::size, false);

@@ -110,19 +110,20 @@ class KernelLaws : public ::testing::TestWithParam<RuleOnATape> {
   Tape tape() const {
     Recording recording;
     std::vector<int> operands;
+    int constants = 0;
     for (std::size_t a = 0; a < rule.arity(); ++a)
       operands.push_back(is_constant(a)
-                             ? recording.parameter(0).node()
+                             ? recording.parameter(constants++).node()
                              : recording.input({Input::Kind::position, 0, static_cast<int>(a)}).node());
     return recording.finish({recording.operation(rule.id, operands, false)});
   }
 
-  /// The tape of the rule; what it reads as constant is the parameter.
+  /// The tape of the rule; what it reads as constant are the parameters.
   std::vector<J> run(const Operands& operands, const KernelTable<double>& table, int at_once = 1) const {
     std::vector<double> parameters;
-    for (std::size_t a = 0; a < rule.arity(); ++a)
-      if (is_constant(a))
-        for (const auto& of_element : operands) parameters.push_back(of_element[a][0]);
+    for (const auto& of_element : operands)
+      for (std::size_t a = 0; a < rule.arity(); ++a)
+        if (is_constant(a)) parameters.push_back(of_element[a][0]);
     return run_tape(tape(), operands, parameters, table, at_once);
   }
 };

@@ -46,6 +46,9 @@ using Rules = RuleList<Embed,                                                   
                        Reciprocal,                                              //
                        Sum<3>, Sum<4>,                                          //
                        SquaredNorm<2>, SquaredNorm<3>, Dot<2>, Dot<3>,          //
+                       DifferenceOfProducts,                                    //
+                       LinearCombination<1>, LinearCombination<2>,              //
+                       LinearCombination<3>, LinearCombination<5>,              //
                        Sqrt, Cbrt,                                              //
                        Power, PowerOfSeries,                                    //
                        Exp, Expm1,                                              //

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Sums, dot products and squared norms of n components as one operation each: what a chain of sums and products
+// Sums, dot products, squared norms and linear combinations as one operation each: what a chain of sums and products
 // becomes on a tape (tape/fusion.hpp).
 
 #include <tuple>
@@ -38,6 +38,16 @@ auto added(const auto& f) {
     (add(f(std::integral_constant<std::size_t, I + 1>{})), ...);
     return sum;
   }(std::make_index_sequence<n - 1>{});
+}
+
+/// The declaration of LinearCombination<n>.
+template <int n>
+consteval std::array<Reads, 2 * n + 2> reads_scaled() {
+  std::array<Reads, 2 * n + 2> all;
+  all[0] = Reads::newest;
+  for (int i = 0; i < n; ++i) all[2 * i + 1] = Reads::constant, all[2 * i + 2] = Reads::newest;
+  all[2 * n + 1] = Reads::nothing;
+  return all;
 }
 
 inline constexpr const char* of_components(const char* const (&names)[3], int n) { return names[n - 2]; }
@@ -86,6 +96,44 @@ struct Dot {
     const auto all = std::tie(u...);
     return detail::added<n>(
         [&](auto i) { return two_convolutions(k, std::get<2 * i>(all), std::get<2 * i + 1>(all)); });
+  }
+};
+
+/// w = u_1 v_1 - u_2 v_2, each product as in Multiply: a component of a cross product, a determinant.
+struct DifferenceOfProducts {
+  static constexpr const char* name = "difference of products";
+  static constexpr std::array reads = detail::reads_alike<4>(Reads::history);
+  static auto coefficient(int k, const auto& u1, const auto& v1, const auto& u2, const auto& v2,
+                          const auto&) {
+    return convolution(k, 0, k, u1, v1) - convolution(k, 0, k, u2, v2);
+  }
+  static constexpr int two_from = 0;
+  static auto two_coefficients(int k, const auto& u1, const auto& v1, const auto& u2, const auto& v2,
+                               const auto&) {
+    auto first = two_convolutions(k, u1, v1);
+    const auto second = two_convolutions(k, u2, v2);
+    for (int i = 0; i < 2; ++i) first[i] = first[i] - second[i];
+    return first;
+  }
+};
+
+/// w = v + c_1 u_1 + ... + c_n u_n with numbers c:   w_k = v_k + c_1 u_{1,k} + ...   Operands: v, c_1, u_1, c_2, u_2, ...
+/// Products are rounded before they are added: what is added and taken away is gone, on every machine.
+template <int n>
+struct LinearCombination {
+  static constexpr const char* names[] = {"linear combination of 1", "linear combination of 2",
+                                          "linear combination of 3", "linear combination of 4",
+                                          "linear combination of 5"};
+  static constexpr const char* name = names[n - 1];
+  static constexpr std::array reads = detail::reads_scaled<n>();
+  static auto coefficient(int k, const auto& v, const auto&... scaled) {
+    using T = std::decay_t<decltype(v[k] + v[k])>;
+    const auto all = std::tie(scaled...);
+    return [&]<std::size_t... I>(std::index_sequence<I...>) {
+      T sum = v[k];
+      ((sum = sum + T(std::get<2 * I>(all)[0] * std::get<2 * I + 1>(all)[k])), ...);
+      return sum;
+    }(std::make_index_sequence<n>{});
   }
 };
 

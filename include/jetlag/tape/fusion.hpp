@@ -5,7 +5,9 @@
 //   x_1 - x_0                      a separation, an input of its own: the difference is taken where rows are gathered
 //   u u + v v + w w                one squared norm     (Eigen's squaredNorm and dot record chains of sums)
 //   u a + v b + w c                one dot product
+//   u a - v b                      one difference of products
 //   a + b + c + d                  one sum
+//   v + c u - d w                  one linear combination, where c and d are numbers of the law or of an element
 //
 // Values that something else reads as well are left as they are.
 
