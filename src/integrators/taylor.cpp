@@ -90,11 +90,7 @@ double RandomTaylor::step(State<double>& state, double limit, Report& report) {
 
 bool RandomTaylor::is_stuck(double time, Report& report) {
   if (!changes_.is_stuck()) return false;
-  report = {
-      Outcome::step_underflow,
-      "choices in a force change again and again with next to no time in between, at t = " + shown(time) +
-          ": the motion slides along a jump of the force or chatters about it; end the run before",
-      -1};
+  report = {Outcome::step_underflow, changes_.cause("a force", shown(time)), -1};
   changes_ = {};
   return true;
 }

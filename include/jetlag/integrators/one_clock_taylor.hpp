@@ -56,7 +56,7 @@ struct OneClockRunOptions {
 /// Forces may have kinks and jumps:
 ///   - a step ends just beyond the first time at which a choice that was made at its beginning changes, of any length that
 ///     was asked for. 100 such steps in a row of next to no length, as of a motion that slides along a jump or chatters
-///     about it, or 10000 below 2^-40 of what was asked for, end the run as step_underflow;
+///     about it, or 10000 that end without one before 2^-40 of what was asked for, end the run as step_underflow;
 ///   - where the series has no more than its first coefficients, as that of |v| v has for v = 0, the step uses these and is
 ///     so short that they suffice within it and at its end, if there is a whole series there or the motion rests;
 ///   - where f is not recorded otherwise (a root that reaches zero, the cut of atan2) it shows in the defect: y' at the end of
@@ -262,11 +262,7 @@ Report OneClockTaylor<Method, Series, State, Options>::refusal(const T& time, co
                 "abs, "
                 "min or max, which are watched",
             -1};
-  if (changes_.is_stuck())
-    return {Outcome::step_underflow,
-            "choices in f change again and again with next to no time in between, at t = " + shown(time) +
-                ": the motion slides along a jump of f or chatters about it; end the run before",
-            -1};
+  if (changes_.is_stuck()) return {Outcome::step_underflow, changes_.cause("f", shown(time)), -1};
   return underflow(time, h);
 }
 

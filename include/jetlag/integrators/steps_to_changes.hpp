@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
 
 namespace jetlag {
 
@@ -34,7 +35,8 @@ class StepsToChanges {
     if (step < least) step = least;
     if (length < step) step = length;
     instants_ = is_instant ? instants_ + 1 : 0;
-    short_ = step < asked * T(0x1p-40) ? short_ + 1 : 0;
+    if (!(step < asked * T(0x1p-40)))
+      short_ = 0;  // a change that is reached is as it should be, however soon
     return step;
   }
   /// The step becomes shorter: it leads to no change, and counts as it does.
@@ -46,9 +48,19 @@ class StepsToChanges {
   bool is_to_change() const { return is_to_change_; }
   /// Whether its length is next to none.
   bool is_instant() const { return instants_ > 0; }
-  /// Whether 100 of them have come in a row: the motion slides along a jump of the force or chatters about it. Or 10000 that
-  /// are shorter than 2^-40 of the step that is asked for: it would take years.
+  /// Whether 100 of them have come in a row: the motion slides along a jump of the force or chatters about it. Or, with no
+  /// longer step in between, 10000 that end without a change before 2^-40 of what is asked for: it would take years.
   bool is_stuck() const { return instants_ >= 100 || short_ >= 10000; }
+  /// Why; `what` makes the choices: "a force".
+  std::string cause(const std::string& what, const std::string& time) const {
+    if (instants_ < 100)
+      return "what choices in " + what +
+             " depend on is not known for even 2^-40 of the step at a time, at t = " + time +
+             ": its numbers are too large, or change too fast, for steps of this length";
+    return "choices in " + what + " change again and again with next to no time in between, at t = " + time +
+           ": the motion slides along a jump of " + (what == "f" ? "f" : "the force") +
+           " or chatters about it; end the run before";
+  }
 
  private:
   bool is_to_change_ = false;
