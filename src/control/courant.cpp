@@ -32,47 +32,50 @@ double courant_limit(const TruncationLaw& law, VelocitySeries velocity, double o
   return omega * band_stability_limit(law, velocity, {omega, damping});
 }
 
-namespace {
+CourantSteps::CourantSteps(const Model<double>& model, const TruncationLaw& law, VelocitySeries velocity,
+                           double safety)
+    : law_(law),
+      velocity_(velocity),
+      damping_(common_damping(model)),
+      safety_(safety),
+      growth_(bounds_need_state(model) ? courant_growth : 1.0) {}
 
-/// omega: shape (particles).
-std::vector<double> steps_of(const std::vector<double>& omega, double damping, const TruncationLaw& law,
-                             VelocitySeries velocity, double safety) {
-  const double fastest = omega.empty() ? 0.0 : *std::ranges::max_element(omega);
-  std::map<int, double> limits;  // by octave below the fastest
+std::vector<double> CourantSteps::operator()(const std::vector<double>& omega) {
+  const double fastest = growth_ * (omega.empty() ? 0.0 : *std::ranges::max_element(omega));
+  if (damping_ > 0 && !(0.8 * fastest_ <= fastest && fastest <= fastest_)) {
+    limits_.clear();
+    fastest_ = fastest;
+  }
   std::vector<double> steps;
-  for (const double w : omega) {
+  for (const double bound : omega) {
+    const double w = growth_ * bound;
     if (w == 0) {
       steps.push_back(std::numeric_limits<double>::infinity());
       continue;
     }
-    const int octave = damping > 0 ? static_cast<int>(std::floor(std::log2(fastest / w))) : 0;
+    const int octave = damping_ > 0 ? static_cast<int>(std::floor(std::log2(fastest_ / w))) : 0;
     const double upper =
-        damping > 0 ? std::ldexp(fastest, -octave) : w;  // without damping every w has the same limit
-    auto [known, is_new] = limits.try_emplace(octave, 0.0);
+        damping_ > 0 ? std::ldexp(fastest_, -octave) : w;  // without damping every w has the same limit
+    auto [known, is_new] = limits_.try_emplace(octave, 0.0);
     if (is_new) {
-      known->second = courant_limit(law, velocity, upper, damping);
-      require_courant(safety, known->second);
+      known->second = courant_limit(law_, velocity_, upper, damping_);
+      require_courant(safety_, known->second);
     }
-    steps.push_back(safety * known->second / upper);
+    steps.push_back(safety_ * known->second / upper);
   }
   return steps;
 }
 
-}  // namespace
-
 std::vector<double> courant_steps_of_particles(const Model<double>& model, const TruncationLaw& law,
                                                VelocitySeries velocity, double safety) {
   require_bounded(model);
-  return steps_of(frequency_bounds(model), common_damping(model), law, velocity, safety);
+  return CourantSteps(model, law, velocity, safety)(frequency_bounds(model));
 }
 
 std::vector<double> courant_steps_of_particles(const Model<double>& model, const State<double>& state,
                                                const TruncationLaw& law, VelocitySeries velocity,
                                                double safety) {
-  std::vector<double> omega = frequency_bounds(model, state);
-  if (bounds_need_state(model))
-    for (double& w : omega) w *= courant_growth;
-  return steps_of(omega, common_damping(model), law, velocity, safety);
+  return CourantSteps(model, law, velocity, safety)(frequency_bounds(model, state));
 }
 
 void require_courant(double safety, double limit) {
@@ -100,6 +103,7 @@ struct Courant::OfStates {
   double damping, safety;
   int refresh;
   int left = 0;                 // steps until the next bound
+  std::uint64_t taken = 0;      // bounds so far
   double omega = 0, limit = 0;  // for which the limit is known, 0: not yet
 
   /// The longest step for frequencies up to w. With damping it takes long to find: one for higher frequencies serves for
@@ -115,7 +119,9 @@ struct Courant::OfStates {
 };
 
 Courant::Courant(std::unique_ptr<Control> inner, double safety, double limit, double omega)
-    : inner_(std::move(inner)), largest_step_(omega > 0 ? safety * limit / omega : unlimited) {
+    : inner_(std::move(inner)),
+      largest_step_(omega > 0 ? safety * limit / omega : unlimited),
+      frequency_{omega} {
   require_courant(safety, limit);
 }
 
@@ -131,6 +137,7 @@ Courant::Courant(std::unique_ptr<Control> inner, double safety, const Model<doub
     of_states_ = std::make_unique<OfStates>(std::move(of_states));
   } else if (const double omega = frequency_bound(model); omega > 0) {
     largest_step_ = of_states.longest(omega);
+    frequency_.bound = omega;
   }
 }
 
@@ -138,6 +145,7 @@ Courant::Courant(const Courant& other)
     : Control(other),
       inner_(other.inner_->clone()),
       largest_step_(other.largest_step_),
+      frequency_(other.frequency_),
       of_states_(other.of_states_ ? std::make_unique<OfStates>(*other.of_states_) : nullptr) {}
 
 Courant::~Courant() = default;
@@ -149,9 +157,11 @@ double Courant::propose(const Prospect& prospect) {
   if (of_states_ && of_states_->left-- == 0) {
     of_states_->left = of_states_->refresh - 1;
     const Expansion<double>& series = prospect.series;
-    const double omega =
-        courant_growth * of_states_->meter({series.time(), series.position(0), series.velocity(0)});
-    if (std::isfinite(omega)) largest_step_ = omega > 0 ? of_states_->longest(omega) : unlimited;
+    const double omega = of_states_->meter({series.time(), series.position(0), series.velocity(0)});
+    if (std::isfinite(omega)) {
+      largest_step_ = omega > 0 ? of_states_->longest(courant_growth * omega) : unlimited;
+      frequency_ = {omega, frequency_.refreshed + (of_states_->taken++ > 0)};
+    }
   }
   return std::min(inner_->propose(prospect), largest_step_);
 }

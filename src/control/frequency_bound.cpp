@@ -138,7 +138,7 @@ class FrequencyMeter::Elements {
     for (std::size_t n = 0; n < model.laws().size(); ++n)
       if (needs_state(model.law(n))) {
         require_no_velocities(model.law(n).elements().law);
-        laws_.push_back({n, ElementTangents(model.laws()[n]), {}, {}});
+        laws_.push_back({n, ElementTangents(model.laws()[n]), {}, {}, {}, {}});
       }
   }
 
@@ -146,6 +146,8 @@ class FrequencyMeter::Elements {
     for (std::size_t n = 0; n < laws_.size(); ++n) {
       laws_[n].weight = other.laws_[n].weight;
       laws_[n].norm = other.laws_[n].norm;
+      laws_[n].square = other.laws_[n].square;
+      laws_[n].size = other.laws_[n].size;
     }
     largest_law_ = other.largest_law_;
     largest_element_ = other.largest_element_;
@@ -158,6 +160,7 @@ class FrequencyMeter::Elements {
     ElementTangents tangents;
     std::vector<double> weight,
         norm;  // of each element, and Frobenius's norm of the tangent when it was found
+    std::vector<double> square, size;  // that bounds omega_e^2, and the norm of `shared` when it was found
   };
   const std::vector<WeightedTangents>& laws() const { return laws_; }
   const std::vector<double>& load() const { return load_; }
@@ -202,6 +205,21 @@ class FrequencyMeter::Elements {
     return k.isZero(0) ? 0.0 : std::max(0.0, eigenvalues(k).maxCoeff());
   }
 
+  /// Bounds of omega of each particle.
+  std::vector<double> bounds() {
+    std::vector<double> bound(model_.particles(), 0.0);
+    for_each_square_of_stiffness(model_, load_, into(bound));
+    for (auto& law : laws_) {
+      law.square.resize(law.weight.size(), -1.0);
+      law.size.resize(law.weight.size(), 0.0);
+      for (int e = 0; e < static_cast<int>(law.weight.size()); ++e) {
+        bound_anew(law, e);
+        into(bound)(law.tangents.law().particles_of(e), law.square[e]);
+      }
+    }
+    return roots(std::move(bound));
+  }
+
   /// The largest omega_e^2, to 1e-9: begins with the element that had it last, with which most need only be compared.
   double largest_square() {
     constexpr double equal = 1 + 1e-9;
@@ -225,6 +243,16 @@ class FrequencyMeter::Elements {
   bool not_finite(const WeightedTangents& law) {
     culprit_ = law.tangents.law().elements().law.name;
     return false;
+  }
+
+  void bound_anew(WeightedTangents& law, int e) const {
+    const Tangent k = shared(law, e);
+    const double size = k.norm();
+    double& square = law.square[e];
+    const bool is_first = square < 0;
+    if (square > 0 && size > 0.8 * law.size[e] && is_below(k, square)) return;
+    law.size[e] = size;
+    square = size == 0 ? 0.0 : std::max(0.0, eigenvalues(k).maxCoeff()) * (is_first ? 1.0 : 1.05);
   }
 
   /// kappa_e / 2 at first, and where that was zero, as of a tangent without a symmetric part; later it goes with the norm.
@@ -255,6 +283,10 @@ double FrequencyMeter::operator()(const State<double>& state) {
                                 : std::numeric_limits<double>::quiet_NaN();
 }
 
+std::vector<double> FrequencyMeter::of_particles(const State<double>& state) {
+  return elements_->take(state) ? elements_->bounds() : std::vector<double>();
+}
+
 FrequencyMeter::Elements FrequencyMeter::at(const Model<double>& model, const State<double>& state) {
   Elements elements(model);
   if (!elements.take(state))
@@ -265,14 +297,7 @@ FrequencyMeter::Elements FrequencyMeter::at(const Model<double>& model, const St
 }
 
 std::vector<double> frequency_bounds(const Model<double>& model, const State<double>& state) {
-  if (!bounds_need_state(model)) return frequency_bounds(model);
-  const auto elements = FrequencyMeter::at(model, state);
-  std::vector<double> bound(model.particles(), 0.0);
-  for_each_square_of_stiffness(model, elements.load(), into(bound));
-  for (const auto& law : elements.laws())
-    for (const int e : law.tangents.law().all())
-      into(bound)(law.tangents.law().particles_of(e), elements.square(law, e));
-  return roots(std::move(bound));
+  return bounds_need_state(model) ? FrequencyMeter::at(model, state).bounds() : frequency_bounds(model);
 }
 
 double frequency_bound(const Model<double>& model, const State<double>& state) {

@@ -44,6 +44,12 @@ std::string all_of(const std::vector<Deformation>& solids) {
   return json::object(members);
 }
 
+std::string all_of(const std::optional<CourantFrequency>& frequency) {
+  if (!frequency) return json::object({});
+  return json::object(
+      {{"bound", json::value(frequency->bound)}, {"refreshed", json::value(frequency->refreshed)}});
+}
+
 }  // namespace
 
 std::string to_json(const Summary& summary) {
@@ -58,6 +64,7 @@ std::string to_json(const Summary& summary) {
                                              {"final", json::list_of(summary.final_momentum)}})},
                   {"work", all_of(summary.work)},
                   {"elements", all_of(summary.elements)},
+                  {"frequency", all_of(summary.frequency)},
                   {"wall_seconds", json::value(summary.wall_seconds)},
                   {"version", json::value(summary.version)},
                   {"seed", json::value(summary.seed)},

@@ -63,6 +63,7 @@ void run_schedule(const Scene& scene, Schedule& schedule, const RunHooks& hooks,
   summary.initial_momentum = momentum(*scene.system, scene.initial);
   summary.final_momentum = momentum(*scene.system, state);
   summary.work = schedule.work();
+  summary.frequency = schedule.courant_frequency();
   summary.position = std::move(state.position);
   summary.velocity = std::move(state.velocity);
   summary.version = version;

@@ -34,6 +34,9 @@ ParticleClocks::ParticleClocks(const System<double>& system, TruncationLaw law, 
 ParticleClocks::~ParticleClocks() = default;
 
 const Work& ParticleClocks::work() const { return motion_->work(); }
+std::optional<CourantFrequency> ParticleClocks::courant_frequency() const {
+  return motion_->courant_frequency();
+}
 std::uint64_t ParticleClocks::updates_of(int particle) const { return motion_->updates_of(particle); }
 
 // ---- the clocks ------------------------------------------------------------------------------------------

@@ -295,6 +295,9 @@ TEST(Courant, TakesTheBoundOfAStateAnewAfterSomeSteps) {
     const auto copy = control.clone();
     EXPECT_NEAR(control.propose({series, law}), truth, 1e-14 * truth);  // some 50 roundings
     EXPECT_NEAR(copy->propose({series, law}), truth, 1e-14 * truth);    // goes on where the first one was
+    const CourantFrequency said = control.courant_frequency().value();
+    EXPECT_NEAR(said.bound, std::sqrt(6.0) * at_bound, 1e-14 * said.bound);
+    EXPECT_EQ(said.refreshed, n / 3);
   }
 }
 
@@ -315,6 +318,7 @@ TEST(Courant, ShortensStepsAsALawStiffens) {
   };
   lockstep.run(state, std::numeric_limits<double>::infinity(), options);
   EXPECT_LT(*std::ranges::min_element(steps), steps.front() / 3.5);
+  EXPECT_EQ(lockstep.courant_frequency().value().refreshed, steps.size() - 1);
 }
 
 TEST(Courant, IsThatOfAllStatesWhereEveryLawHasAStiffness) {
@@ -324,6 +328,9 @@ TEST(Courant, IsThatOfAllStatesWhereEveryLawHasAStiffness) {
   const TruncationLaw law = fixed_degree(4);
   Courant control(std::make_unique<FixedStep>(10.0), 0.5, scene.system, law, VelocitySeries::own_series);
   EXPECT_EQ(control.propose({series, law}), 0.5 * undamped_limit(law) / 2.0);
+  EXPECT_EQ(control.courant_frequency().value().bound, 2.0);
+  EXPECT_EQ(control.courant_frequency().value().refreshed, 0u);
+  EXPECT_FALSE(FixedStep(1.0).courant_frequency().has_value());
 }
 
 TEST(Courant, GivesParticlesStepsOfAState) {

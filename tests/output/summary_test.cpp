@@ -50,9 +50,9 @@ Summary sample() {
 
 TEST(Summary, HasEveryKeyOfTheContractInItsOrder) {
   const Json json = Json::parse(to_json(sample()));
-  EXPECT_THAT(keys(json),
-              ElementsAre("outcome", "time", "position", "velocity", "energy", "momentum", "work", "elements",
-                          "wall_seconds", "version", "seed", "instruction_set", "threads", "warnings"));
+  EXPECT_THAT(keys(json), ElementsAre("outcome", "time", "position", "velocity", "energy", "momentum", "work",
+                                      "elements", "frequency", "wall_seconds", "version", "seed",
+                                      "instruction_set", "threads", "warnings"));
   EXPECT_THAT(keys(json["energy"]), ElementsAre("initial", "final", "max_relative_error"));
   EXPECT_THAT(keys(json["momentum"]), ElementsAre("initial", "final"));
   EXPECT_THAT(keys(json["work"]), ElementsAre("updates", "steps", "coefficients", "element_coefficients",
@@ -88,6 +88,14 @@ TEST(Summary, KeepsEveryDigit) {
   EXPECT_EQ(json["seed"].get<std::uint64_t>(), 18446744073709551615u);
   EXPECT_EQ(json["instruction_set"], "avx512");
   EXPECT_EQ(json["threads"], 2);
+}
+
+TEST(Summary, SaysWhatACourantLimitStandsOn) {
+  Summary summary = sample();
+  EXPECT_EQ(Json::parse(to_json(summary))["frequency"], Json::object());
+  summary.frequency = {.bound = 1.0 / 3.0, .refreshed = 7};
+  EXPECT_EQ(Json::parse(to_json(summary))["frequency"],
+            Json::parse(R"({"bound": 0.3333333333333333, "refreshed": 7})"));
 }
 
 TEST(Summary, SaysWhatWentWrong) {

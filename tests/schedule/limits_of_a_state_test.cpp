@@ -3,15 +3,20 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "jetlag/control/courant.hpp"
 #include "jetlag/forces/forces.hpp"
 #include "jetlag/integrators/implicit/explicit_implicit.hpp"
 #include "jetlag/model/energy.hpp"
+#include "jetlag/model/lumped_mass.hpp"
 #include "jetlag/scenes/mesh.hpp"
+#include "jetlag/schedule/asynchronous.hpp"
 #include "jetlag/schedule/avi.hpp"
 #include "jetlag/schedule/block.hpp"
 #include "jetlag/schedule/subcycling.hpp"
@@ -129,6 +134,63 @@ TEST(LimitsOfAState, BoundTheStepsOfBlocks) {
   ASSERT_EQ(schedule.run(state, 0.5, run).outcome, Outcome::success);
   EXPECT_GE(longest / shortest, 4.0);
   EXPECT_LT(energy_error(scene, state), 0.04);
+}
+
+/// A bar between two heavy blocks that fly apart: some 2000 steps to where it is longest, 1.9 times as long and its fastest
+/// frequency half as high again, and back.
+Problem stretched_bar() {
+  const auto box = jetlag::box({0.4, 0.1, 0.1}, {4, 1, 1});
+  std::vector<double> mass = lumped_masses(box.position, box.tetrahedra, 1000.0);
+  for (int end : {0, 16})
+    for (int i = end; i < end + 4; ++i) mass[i] *= 40'000;
+  System<double> system(3, mass);
+  const Lame<double> of = lame(1e5, 0.3);
+  system.add_at_rest<Stvk>(box.tetrahedra, box.position,
+                           std::vector<std::array<double, 2>>(box.tetrahedra.size(), {of.lambda, of.mu}));
+  Problem scene{std::move(system), at_rest(box)};
+  for (Eigen::Index i = 0; i < box.position.rows(); ++i)
+    scene.start.velocity(i, 0) = 0.13 * (box.position(i, 0) / 0.2 - 1);
+  return scene;
+}
+
+TEST(LimitsOfAState, FollowWhatStiffens) {
+  // With the limit of the start, 0.8 * 2.83 / 1.05, omega h would be z = 3.2 where the bar is longest: each step of degree 4
+  // multiplies a motion of that frequency by |1 - z^2/2 + z^4/24 - i(z - z^3/6)| = 2.3.
+  const Problem scene = stretched_bar();
+  BlockSteps::Options options;
+  options.tolerance = 100.0;
+  options.courant = 0.8;
+  options.max_step = 1.0;
+  for (const bool blocks : {true, false}) {
+    std::unique_ptr<Schedule> schedule;
+    if (blocks)
+      schedule = std::make_unique<BlockSteps>(scene.system, 4, options);
+    else
+      schedule = std::make_unique<Asynchronous>(scene.system, 4, Asynchronous::Options{options});
+    RunOptions run;
+    double first = 0, shortest = 1, longest = 0;
+    run.observer.on_update = [&](const Update& update) {
+      if (update.particle != 9) return;  // in the middle
+      if (first == 0) first = update.step;
+      shortest = std::min(shortest, update.step);
+    };
+    State<double> state = scene.start;
+    const double length = 0.4;
+    for (int n = 1; n <= 24; ++n) {
+      ASSERT_EQ(schedule->run(state, 0.25 * n, run).outcome, Outcome::success) << blocks << " " << n;
+      // Of a state not long before: 50 updates of a particle are some 0.07 s. It stays while it is a bound and its square is
+      // at most 1.05 / 0.8 times too large.
+      const double said = schedule->courant_frequency().value().bound,
+                   now = frequency_bound(scene.system, state);
+      EXPECT_GT(said / now, 0.95) << n;
+      EXPECT_LT(said / now, 1.05 * std::sqrt(1.05 / 0.8)) << n;
+      longest = std::max(longest, (state.position(16, 0) - state.position(0, 0)) / length);
+    }
+    EXPECT_GT(longest, 1.8);
+    EXPECT_LE(shortest, first / 1.6);
+    EXPECT_LT(energy_error(scene, state), 0.01) << blocks;
+    EXPECT_GT(schedule->courant_frequency().value().refreshed, 20u);
+  }
 }
 
 }  // namespace

@@ -14,9 +14,11 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
+#include "jetlag/base/courant_frequency.hpp"
 #include "jetlag/base/step_length.hpp"
 #include "jetlag/motion/coefficient_view.hpp"
 #include "jetlag/truncation/truncation.hpp"
@@ -54,6 +56,9 @@ class Control {
   /// How far [m] beyond a kink of a force (control/to_kinks.hpp) a step that is chosen may end; as far as rounding hides
   /// it, all may.
   virtual double past_kinks() const = 0;
+
+  /// What its Courant limit stands on, if it has one.
+  virtual std::optional<CourantFrequency> courant_frequency() const { return std::nullopt; }
 
   /// A control of the same kind and state.
   virtual std::unique_ptr<Control> clone() const = 0;

@@ -2,6 +2,7 @@
 #pragma once
 // The Courant limit: no step beyond what is stable for the stiffest oscillation of a scene.
 
+#include <map>
 #include <vector>
 
 #include "jetlag/control/control.hpp"
@@ -24,6 +25,22 @@ void require_courant(double safety, double limit);
 
 /// How much a bound that is of one state is raised, for what grows until it is taken anew.
 constexpr double courant_growth = 1.05;
+
+/// safety * limit / omega [s] for each of some frequencies omega [rad/s], infinity for 0. Limits of damped oscillations take
+/// long to find: they are found for octaves of frequencies below the fastest, and kept while that grows or falls little.
+class CourantSteps {
+ public:
+  CourantSteps(const Model<double>& model, const TruncationLaw& law, VelocitySeries velocity, double safety);
+
+  /// Throws std::invalid_argument as require_courant.
+  std::vector<double> operator()(const std::vector<double>& omega);
+
+ private:
+  TruncationLaw law_;
+  VelocitySeries velocity_;
+  double damping_, safety_, growth_, fastest_ = 0;
+  std::map<int, double> limits_;  // by octave below the fastest
+};
 
 /// safety * limit / omega for each particle by its own bound of the frequency, infinity where it has none [s]: for clocks of
 /// their own. It presumes that a neighbourhood oscillates as if all of it took such steps. Shape (particles).
@@ -59,6 +76,7 @@ class Courant final : public Control {
   double propose(const Prospect& prospect) override;
   bool is_given() const override { return inner_->is_given(); }
   double past_kinks() const override { return inner_->past_kinks(); }
+  std::optional<CourantFrequency> courant_frequency() const override { return frequency_; }
   std::unique_ptr<Control> clone() const override;
 
  private:
@@ -67,6 +85,7 @@ class Courant final : public Control {
 
   std::unique_ptr<Control> inner_;
   double largest_step_;
+  CourantFrequency frequency_;
   std::unique_ptr<OfStates> of_states_;  // null: the largest step is that of all states
 };
 

@@ -73,6 +73,10 @@ class FrequencyMeter {
   /// An upper bound of the fastest frequency at this state [rad/s].
   double operator()(const State<double>& state);
 
+  /// frequency_bounds [rad/s] at one state after another; empty where a tangent is not finite. Shape (particles). That of an
+  /// element stays while it still is a bound and its tangent has not become less by a fifth; found anew it is raised by 2.5 %.
+  std::vector<double> of_particles(const State<double>& state);
+
   /// What bounds of a state are made of. Throws std::invalid_argument where a tangent is not finite.
   class Elements;
   static Elements at(const Model<double>& model, const State<double>& state);

@@ -76,6 +76,7 @@ class ToKinks final : public Control {
   bool is_given() const override { return inner_->is_given(); }
   double past_kinks() const override { return inner_->past_kinks(); }
   double longest() const override { return inner_->longest(); }
+  std::optional<CourantFrequency> courant_frequency() const override { return inner_->courant_frequency(); }
   std::unique_ptr<Control> clone() const override { return std::make_unique<ToKinks>(*this); }
 
   /// Whether there are kinks at which its steps end.

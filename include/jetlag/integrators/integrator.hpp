@@ -8,8 +8,10 @@
 //   - same state, seed and update number: same bits.
 
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "jetlag/base/courant_frequency.hpp"
 #include "jetlag/base/outcome.hpp"
 #include "jetlag/base/step_length.hpp"
 #include "jetlag/base/work.hpp"
@@ -36,6 +38,9 @@ class Integrator {
 
   /// What the steps so far may have got wrong although they succeeded, in a sentence. Empty: nothing that is known.
   virtual std::string warning() const { return {}; }
+
+  /// What the Courant limit of its steps stands on, if it has one.
+  virtual std::optional<CourantFrequency> courant_frequency() const { return std::nullopt; }
 };
 
 /// The report for a step h that does not change the time: names the fastest particle.

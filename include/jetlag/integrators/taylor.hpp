@@ -31,7 +31,7 @@ namespace jetlag {
 ///
 /// Steps that a control chooses end at kinks of forces (control/to_kinks.hpp), and all steps where a choice in a force changes
 /// (forces/force.hpp); 100 of these in a row of next to no length, as of a motion that slides along a jump of the force, or
-/// 10000 below 2^-40 of the step that is asked for, end the run as step_underflow.
+/// 10000 that end without a change before 2^-40 of the step that is asked for, end the run as step_underflow.
 ///
 /// The forces at the end of a step, with which the next one begins, must be those to which its series leads (step_check.hpp):
 /// steps that a control chooses are halved until they are; where none is short enough the report is step_underflow. Of steps
@@ -76,6 +76,7 @@ class RandomTaylor final : public Integrator {
   Piece piece() const override;
   const Work& work() const override { return work_; }
   std::string warning() const override { return ledger_.warning(); }
+  std::optional<CourantFrequency> courant_frequency() const override { return control_.courant_frequency(); }
 
   /// What a trajectory has of its own besides its state.
   struct Member : ToKinks::Trajectory {

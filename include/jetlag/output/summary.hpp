@@ -4,9 +4,11 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "jetlag/base/courant_frequency.hpp"
 #include "jetlag/base/outcome.hpp"
 #include "jetlag/base/work.hpp"
 #include "jetlag/model/energy.hpp"
@@ -26,7 +28,8 @@ struct Summary {
   double max_relative_energy_error = 0;              // [1]
   Eigen::VectorXd initial_momentum, final_momentum;  // [kg m/s]
   Work work;
-  std::vector<Deformation> elements;  // of solids
+  std::vector<Deformation> elements;          // of solids
+  std::optional<CourantFrequency> frequency;  // of a Courant limit, where one is in use
   double wall_seconds = 0;
   std::string version;
   std::uint64_t seed = 0;

@@ -14,8 +14,8 @@ struct ClockOptions {
   double tolerance = 1e-9;  // [m] > 0: of a step, as in control/last_two.hpp
   double max_step = std::numeric_limits<double>::infinity();  // [s] > 0
   /// In (0, 1]: a fraction of the Courant limit of each particle that its steps do not exceed; 0: none. Where a law has no
-  /// stiffness, that is the limit at the beginning of a run, 5 % shorter; it is not taken anew in between, nor where a run
-  /// goes on: leave room for what stiffens.
+  /// stiffness, that is the limit of a state, 5 % shorter: of the beginning of a run, and again when particles have been
+  /// updated 50 times in the mean. Leave room for what stiffens sooner.
   double courant = 0;
   VelocitySeries velocity = VelocitySeries::own_series;
 

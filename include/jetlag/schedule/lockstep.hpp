@@ -16,6 +16,9 @@ class Lockstep final : public Schedule {
   Report run(State<double>& state, double until, const RunOptions& options) override;
   const Work& work() const override { return integrator_->work(); }
   std::string warning() const override { return integrator_->warning(); }
+  std::optional<CourantFrequency> courant_frequency() const override {
+    return integrator_->courant_frequency();
+  }
 
  private:
   std::unique_ptr<Integrator> integrator_;

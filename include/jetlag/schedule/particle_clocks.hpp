@@ -26,6 +26,7 @@ class ParticleClocks : public EventDriven {
  public:
   ~ParticleClocks() override;
   const Work& work() const final;
+  std::optional<CourantFrequency> courant_frequency() const final;
 
   /// Updates of a particle so far.
   std::uint64_t updates_of(int particle) const;

@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "jetlag/base/courant_frequency.hpp"
 #include "jetlag/base/outcome.hpp"
 #include "jetlag/base/work.hpp"
 #include "jetlag/motion/piece.hpp"
@@ -88,6 +90,9 @@ class Schedule {
 
   /// What the runs so far may have got wrong although they succeeded, in a sentence. Empty: nothing that is known.
   virtual std::string warning() const { return {}; }
+
+  /// What the Courant limit of its steps stands on, if it has one and says so.
+  virtual std::optional<CourantFrequency> courant_frequency() const { return std::nullopt; }
 };
 
 }  // namespace jetlag

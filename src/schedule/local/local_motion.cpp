@@ -36,18 +36,48 @@ LocalMotion::LocalMotion(const Model<double>& model, const TruncationLaw& law, c
   for (int i = 0; i < model.particles(); ++i)
     if (!model.fixed()[i]) moving_.push_back(i);
   longest_.assign(model.particles(), options_.max_step);
-  if (options_.courant != 0 && !bounds_need_state(model))
-    limit_steps(courant_steps_of_particles(model, law, options_.velocity, options_.courant));
+  if (options_.courant == 0) return;
+  stable_.emplace(model, law, options_.velocity, options_.courant);
+  frequency_.emplace();
+  if (bounds_need_state(model)) {
+    meter_.emplace(model);
+  } else {
+    require_bounded(model);
+    limit_steps(frequency_bounds(model));
+  }
 }
 
-void LocalMotion::limit_steps(const std::vector<double>& stable) {
+void LocalMotion::limit_steps(const std::vector<double>& bounds) {
+  const std::vector<double> stable = (*stable_)(bounds);
   for (std::size_t i = 0; i < stable.size(); ++i) longest_[i] = std::min(options_.max_step, stable[i]);
+  frequency_->bound = bounds.empty() ? 0.0 : *std::ranges::max_element(bounds);
+}
+
+/// A state whose tangents are not finite leaves the limits as they are.
+bool LocalMotion::refresh_limits(Count now, Report& report) {
+  if (!meter_ || work_.updates < next_limits_) return true;
+  next_limits_ = work_.updates + Courant::usual_refresh * moving_.size();
+  const std::vector<double> bounds = meter_->of_particles(at_tick(now));
+  if (bounds.empty()) return true;
+  try {
+    limit_steps(bounds);
+  } catch (const std::invalid_argument& no_step) {
+    report = {Outcome::step_underflow, "at t = " + shown(ticks_.time(now)) + ": " + no_step.what(), -1};
+    return false;
+  }
+  ++frequency_->refreshed;
+  find_levels();
+  return true;
 }
 
 void LocalMotion::begin(const State<double>& state, const Ticks& ticks) {
   all_.start(state);  // throws what is to be thrown
-  if (options_.courant != 0 && bounds_need_state(model_))
-    limit_steps(courant_steps_of_particles(model_, state, stops_.law(), options_.velocity, options_.courant));
+  if (meter_) {
+    meter_.emplace(model_);
+    const std::vector<double> bounds = meter_->of_particles(state);
+    limit_steps(bounds.empty() ? frequency_bounds(model_, state) : bounds);  // which says what is not finite
+    next_limits_ = work_.updates + Courant::usual_refresh * moving_.size();
+  }
   to_kinks_.kinks().forget();
   to_change_.assign(to_change_.size(), false);
   std::ranges::fill(instants_, 0);
@@ -69,6 +99,10 @@ void LocalMotion::begin(const State<double>& state, const Ticks& ticks) {
 void LocalMotion::set_ticks(const Ticks& ticks) {
   ticks_ = ticks;
   allowed_.clear();
+  find_levels();
+}
+
+void LocalMotion::find_levels() {
   coarsest_.clear();
   for (double longest : longest_) coarsest_.push_back(ticks_.level(longest));
 }

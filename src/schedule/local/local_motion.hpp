@@ -8,11 +8,13 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "jetlag/base/outcome.hpp"
 #include "jetlag/base/work.hpp"
+#include "jetlag/control/courant.hpp"
 #include "jetlag/control/last_two.hpp"
 #include "jetlag/control/to_kinks.hpp"
 #include "jetlag/motion/expansion.hpp"
@@ -112,6 +114,7 @@ class LocalMotion {
   }
 
   const Work& work() const { return work_; }
+  const std::optional<CourantFrequency>& courant_frequency() const { return frequency_; }
   void count_wake_up() { ++work_.wake_ups; }
   int degree_of(int particle) const { return degree_[particle]; }
 
@@ -162,8 +165,10 @@ class LocalMotion {
   bool agrees(int particle, double time, double s, const double* c_2, Report& report) const;
   void publish(int particle, Count now, std::uint64_t group);
   void count(std::size_t updated);
-  /// No step of a particle is longer [s].
-  void limit_steps(const std::vector<double>& stable);
+  /// No step of a particle is longer than the Courant limit by these bounds of frequencies [rad/s].
+  void limit_steps(const std::vector<double>& bounds);
+  void find_levels();
+  bool refresh_limits(Count now, Report& report);
 
   ClockOptions options_;
   Stops stops_;
@@ -172,9 +177,14 @@ class LocalMotion {
   Model<double> model_;
   Expansion<double> all_;
   std::vector<int> moving_, places_;
-  std::vector<double> longest_;         // step of each particle [s]
-  std::vector<int> coarsest_;           // level that is no longer than that
-  std::vector<LastTwoAllows> allowed_;  // steps, by level; those that have been asked for
+  std::vector<double> longest_;  // step of each particle [s]
+  std::vector<int> coarsest_;    // level that is no longer than that
+  std::optional<CourantSteps> stable_;
+  std::optional<FrequencyMeter>
+      meter_;  // where limits are of states: taken anew when so many updates have been made
+  std::uint64_t next_limits_ = 0;
+  std::optional<CourantFrequency> frequency_;  // of the limits, where there are any
+  std::vector<LastTwoAllows> allowed_;         // steps, by level; those that have been asked for
   Ticks ticks_;
   AlignedVector<double> series_;  // [particle][order][padded component]
   std::vector<Count> begin_;

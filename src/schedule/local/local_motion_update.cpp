@@ -115,7 +115,7 @@ bool LocalMotion::update(PartialExpansion& group, Count now, Report& report) {
   if (!done) return false;
   for (int i : group.active()) publish(i, now, groups_);
   count(group.active().size());
-  return true;
+  return refresh_limits(now, report);
 }
 
 template <int stride>
@@ -180,7 +180,7 @@ bool LocalMotion::update_all(Count now, Report& report) {
   }
   for (int i : moving_) publish(i, now, groups_);
   count(moving_.size());
-  return true;
+  return refresh_limits(now, report);
 }
 
 bool LocalMotion::agree_at(double time, Report& report) {

@@ -27,7 +27,8 @@ const SceneKeys clock_keys{
     under({"last_two"}, {"control.tolerance", "as schedule.tolerance, which precedes [m], > 0", "required"}),
     under({"last_two"}, max_step),
     {"control.courant",
-     "no step exceeds this fraction of the limit of its particle, of solids that at the start, > 0 and <= 1",
+     "no step exceeds this fraction of the limit of its particle, of solids that of their present state, > 0 "
+     "and <= 1",
      "none"}};
 
 constexpr double default_tolerance = 1e-9;  // [m]
