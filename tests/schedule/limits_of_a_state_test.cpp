@@ -154,8 +154,8 @@ Problem stretched_bar() {
 }
 
 TEST(LimitsOfAState, FollowWhatStiffens) {
-  // With the limit of the start, 0.8 * 2.83 / 1.05, omega h would be z = 3.2 where the bar is longest: each step of degree 4
-  // multiplies a motion of that frequency by |1 - z^2/2 + z^4/24 - i(z - z^3/6)| = 2.3.
+  // The bound of the start is two thirds of that where the bar is longest. Bounds lie above the frequencies, so that the energy
+  // would hold here even so: what is looked at are the bound and the steps.
   const Problem scene = stretched_bar();
   BlockSteps::Options options;
   options.tolerance = 100.0;

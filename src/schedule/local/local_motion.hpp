@@ -180,9 +180,8 @@ class LocalMotion {
   std::vector<double> longest_;  // step of each particle [s]
   std::vector<int> coarsest_;    // level that is no longer than that
   std::optional<CourantSteps> stable_;
-  std::optional<FrequencyMeter>
-      meter_;  // where limits are of states: taken anew when so many updates have been made
-  std::uint64_t next_limits_ = 0;
+  std::optional<FrequencyMeter> meter_;        // where limits are of states
+  std::uint64_t next_limits_ = 0;              // updates after which they are taken anew
   std::optional<CourantFrequency> frequency_;  // of the limits, where there are any
   std::vector<LastTwoAllows> allowed_;         // steps, by level; those that have been asked for
   Ticks ticks_;
