@@ -121,9 +121,9 @@ struct DifferenceOfProducts {
 /// Products are rounded before they are added: what is added and taken away is gone, on every machine.
 template <int n>
 struct LinearCombination {
-  static constexpr const char* names[] = {"linear combination of 1", "linear combination of 2",
-                                          "linear combination of 3", "linear combination of 4",
-                                          "linear combination of 5"};
+  static constexpr std::array<const char*, 5> names{"linear combination of 1", "linear combination of 2",
+                                                    "linear combination of 3", "linear combination of 4",
+                                                    "linear combination of 5"};
   static constexpr const char* name = names[n - 1];
   static constexpr std::array reads = detail::reads_scaled<n>();
   static auto coefficient(int k, const auto& v, const auto&... scaled) {
