@@ -32,6 +32,23 @@ double shortened(double h, std::span<const double> norms, int q, double log_sigm
 
 }  // namespace
 
+template <int low>
+double detail::log_jorba_zou_step(const EndsOfSeries<low>& ends, int p) {
+  const double log_sigma = log_safety_of_jorba_zou(p) * std::numbers::log2e;
+  const double logs[]{std::log2(ends.last[0]), std::log2(ends.last[1])};
+  double longest[]{-std::numeric_limits<double>::infinity(), logs[0] - logs[1] + p * log_sigma};
+  for (int n = 0; n < low; ++n) {
+    const double log_of_term = std::log2(ends.first[n]);
+    for (int i = 0; i < 2; ++i) {
+      const int q = p - 1 + i;
+      longest[i] = std::max(longest[i], (log_of_term - logs[i] + q * log_sigma) / (q - n));
+    }
+  }
+  return std::min(longest[0], longest[1]);
+}
+template double detail::log_jorba_zou_step(const EndsOfSeries<2>&, int);
+template double detail::log_jorba_zou_step(const EndsOfSeries<3>&, int);
+
 double jorba_zou_step(std::span<const double> norms, double max_step) {
   const int p = static_cast<int>(norms.size()) - 1;
   if (p < 1) throw std::invalid_argument("jorba_zou_step: coefficients 0 and 1 are needed at least");

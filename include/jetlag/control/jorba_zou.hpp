@@ -3,6 +3,8 @@
 // The step of Jorba and Zou, from an estimate of the radius of convergence.
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <span>
@@ -34,25 +36,49 @@ inline double log_safety_of_jorba_zou(int degree) { return -2.0 - 0.5 / std::max
 /// Throws std::invalid_argument for fewer than two norms.
 double jorba_zou_step(std::span<const double> norms, double max_step);
 
+namespace detail {
+/// The last two sizes c_{p-1}, c_p of a series and those of its first terms, all of them normal numbers.
+template <int low>
+struct EndsOfSeries {
+  std::array<double, low> first;  // c_0 ..
+  std::array<double, 2> last;
+
+  bool are_normal() const {
+    const auto is_normal = [](double c) { return std::isnormal(c); };
+    return std::ranges::all_of(first, is_normal) && std::ranges::all_of(last, is_normal);
+  }
+};
+/// log2 of jorba_zou_step where all other coefficients vanish, p - 1 >= low, without a largest step.
+template <int low>
+double log_jorba_zou_step(const EndsOfSeries<low>& ends, int p);
+}  // namespace detail
+
 /// The same for a motion: the smaller one of the steps for positions and for velocities, in the unit of time of the series, p
 /// the degree. Only the state, the forces in it and the last two coefficients are read, the others only where these vanish.
 template <class Series>
 double jorba_zou_step_of(const Series& series, int degree, double max_step) {
   const int p = std::min(degree, series.order() - 1);
+  const auto position = [&](int k) { return static_cast<double>(series.position_norm(k)); };
+  const auto velocity = [&](int k) { return static_cast<double>(series.velocity_norm(k)); };
+  if (p >= 4) {  // nearly always nothing vanishes
+    const detail::EndsOfSeries<3> x{{position(0), position(1), position(2)}, {position(p - 1), position(p)}};
+    const detail::EndsOfSeries<2> v{{velocity(0), velocity(1)}, {velocity(p - 1), velocity(p)}};
+    if (x.are_normal() && v.are_normal())
+      return std::min(
+          max_step, std::exp2(std::min(detail::log_jorba_zou_step(x, p), detail::log_jorba_zou_step(v, p))));
+  }
   std::vector<double> norms(p + 1);
   // The state and the forces in it: orders 0 to 2 of x, 0 and 1 of v.
   const auto shortened = [&](double h, int low, const auto& coefficient) {
-    for (int k = 0; k <= p; ++k)
-      norms[k] = k <= low || k >= p - 1 ? static_cast<double>(coefficient(k)) : 0.0;
+    for (int k = 0; k <= p; ++k) norms[k] = k <= low || k >= p - 1 ? coefficient(k) : 0.0;
     const auto vanish = [&](int first, int last) {
       return std::all_of(norms.begin() + first, norms.begin() + last + 1, [](double c) { return c == 0.0; });
     };
     if (vanish(0, std::min(low, p - 1)) || vanish(std::max(0, p - 1), p))
-      for (int k = low + 1; k < p - 1; ++k) norms[k] = static_cast<double>(coefficient(k));
+      for (int k = low + 1; k < p - 1; ++k) norms[k] = coefficient(k);
     return jorba_zou_step(norms, h);
   };
-  const double h = shortened(max_step, 2, [&](int k) { return series.position_norm(k); });
-  return shortened(h, 1, [&](int k) { return series.velocity_norm(k); });
+  return shortened(shortened(max_step, 2, position), 1, velocity);
 }
 
 /// The step of a motion, |.| being the largest component over all particles. p: the largest degree of which the series holds

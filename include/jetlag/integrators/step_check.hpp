@@ -99,6 +99,7 @@ bool is_allowed(const StepDefect& defect, const TruncationLaw& law, double toler
   const int degree = law.max_degree();
   const double part = defect.step / defect.proposed, motion = std::max(defect.begun, defect.ended);
   const double rounding = 0x1p16 * eps * std::max(part * part * defect.position, motion);
+  if (defect.force <= rounding) return true;
   const double of_degree =
       tolerance > 0 || is_given ? 0.0 : 16 * degree * std::exp(-2.0 * (degree - 1)) * motion;
   if (defect.force <= rounding + of_degree) return true;
