@@ -6,8 +6,8 @@
 #include <cassert>
 #include <cstring>
 
+#include "jetlag/base/accelerate.hpp"
 #include "jetlag/base/wide.hpp"
-#include "jetlag/motion/accelerate.hpp"
 
 namespace jetlag {
 

@@ -62,6 +62,8 @@ struct SineOfAngle {
   static constexpr const char* name = "sine of angle";
   static constexpr int participants = 1;
   static constexpr std::array<const char*, 0> parameters{};
+  static constexpr int unrolled_orders = 20;
+  static constexpr std::array unrolled_dimensions{1};
 
   template <class T, int D>
   static Vector<T, D> force(const Participants<T, D, 1>& p) {
@@ -92,6 +94,8 @@ struct HenonHeiles {
   static constexpr const char* name = "henon_heiles";
   static constexpr int participants = 1;
   static constexpr std::array<const char*, 0> parameters{};
+  static constexpr int unrolled_orders = 20;
+  static constexpr std::array unrolled_dimensions{2};
 
   template <class T, int D>
   static Vector<T, D> force(const Participants<T, D, 1>& p) {
@@ -256,3 +260,9 @@ struct HardeningSpring {
 };
 
 }  // namespace jetlag::problems
+
+namespace jetlag {
+// Their kernels take the compiler a second each: once, in problems/particles.cpp.
+extern template RecordedLaw record_law<problems::SineOfAngle>(int);
+extern template RecordedLaw record_law<problems::HenonHeiles>(int);
+}  // namespace jetlag

@@ -10,6 +10,11 @@
 #include "jetlag/forces/uniform_field.hpp"
 #include "problems/laws.hpp"
 
+namespace jetlag {
+template RecordedLaw record_law<problems::SineOfAngle>(int);
+template RecordedLaw record_law<problems::HenonHeiles>(int);
+}  // namespace jetlag
+
 namespace jetlag::problems {
 
 namespace {

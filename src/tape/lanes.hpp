@@ -11,6 +11,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "jetlag/series/function_names.hpp"
 #include "jetlag/tape/kernels.hpp"
 
 namespace jetlag::JETLAG_INSTRUCTION_SET_NAME {
@@ -39,6 +40,12 @@ inline Register root(Register x) { return _mm_sqrt_pd(x); }
 #endif
 
 inline constexpr int register_width = sizeof(Register) / sizeof(double);
+
+#if defined(__FMA__)
+inline constexpr bool has_fused_products = true;
+#else
+inline constexpr bool has_fused_products = false;
+#endif
 
 #if defined(__AVX2__)
 /// Four rows of four become four columns.
@@ -106,6 +113,7 @@ template <int n>
 struct Lanes {
   static constexpr int registers = n;
   static constexpr int width = register_width * n;
+  static constexpr bool fuses = has_fused_products;
   Register r[n];
 
   Lanes() = default;
@@ -184,6 +192,7 @@ inline Lanes<n> sqrt(const Lanes<n>& a) {
 /// One number, compiled for this instruction set: for scenes with a single element.
 struct One {
   static constexpr int width = 1;
+  static constexpr bool fuses = has_fused_products;
   double x;
 
   One() = default;
@@ -240,27 +249,7 @@ concept AnyLane = requires(const L& a, double (*f)(double)) { each_lane(a, f); }
   inline L f(const L& a) {     \
     return each_lane(a, ::f);  \
   }
-JETLAG_LANE_BY_LANE(cbrt)
-JETLAG_LANE_BY_LANE(exp)
-JETLAG_LANE_BY_LANE(expm1)
-JETLAG_LANE_BY_LANE(log)
-JETLAG_LANE_BY_LANE(log1p)
-JETLAG_LANE_BY_LANE(log2)
-JETLAG_LANE_BY_LANE(log10)
-JETLAG_LANE_BY_LANE(sin)
-JETLAG_LANE_BY_LANE(cos)
-JETLAG_LANE_BY_LANE(tan)
-JETLAG_LANE_BY_LANE(asin)
-JETLAG_LANE_BY_LANE(acos)
-JETLAG_LANE_BY_LANE(atan)
-JETLAG_LANE_BY_LANE(sinh)
-JETLAG_LANE_BY_LANE(cosh)
-JETLAG_LANE_BY_LANE(tanh)
-JETLAG_LANE_BY_LANE(asinh)
-JETLAG_LANE_BY_LANE(acosh)
-JETLAG_LANE_BY_LANE(atanh)
-JETLAG_LANE_BY_LANE(erf)
-JETLAG_LANE_BY_LANE(erfc)
+JETLAG_FUNCTIONS_OF_ONE(JETLAG_LANE_BY_LANE)
 #undef JETLAG_LANE_BY_LANE
 template <AnyLane L>
 inline L exp_of_minus_square(const L& a) {

@@ -49,7 +49,7 @@ void add_twins_in(std::vector<Twins>& all) {
         requires(requires { L::energy(q, ((void)I, 0.0)...); })
       {}(p, std::make_index_sequence<L::parameters.size()>{});
     };
-    if constexpr (jetlag::detail::gives_forces<L, D>)
+    if constexpr (jetlag::detail::has_force<L, D, Recorded> || jetlag::detail::has_forces<L, D, Recorded>)
       if constexpr (has_energy) all.push_back({record_law<L>(D), record_law<FromEnergy<L>>(D)});
   }
 }

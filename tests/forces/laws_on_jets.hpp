@@ -141,7 +141,8 @@ LawOnJets on_jets() {
 template <class L>
 void add_law(std::vector<LawOnJets>& all) {
   all.push_back(on_jets<L>());
-  if constexpr (jetlag::detail::gives_forces<L, some_dimension<L>>)
+  constexpr int D = some_dimension<L>;
+  if constexpr (jetlag::detail::has_force<L, D, Recorded> || jetlag::detail::has_forces<L, D, Recorded>)
     if constexpr (has_energy<L>) all.push_back(on_jets<problems::FromEnergy<L>>());
 }
 

@@ -27,7 +27,7 @@ const std::vector<Room> house = {
     {"base", {}},
     {"series", {"base"}},
     {"tape", {"base", "series"}},
-    {"forces", {"series", "tape"}},
+    {"forces", {"base", "series", "tape"}},
     {"model", {"base", "series", "tape", "forces"}},
     {"motion", {"base", "series", "tape", "model"}},
     {"truncation", {"base"}},

@@ -25,7 +25,7 @@ std::pair<T, T> stretch_invariants_of_diagonal(const T& x, const T& y) {
 }
 
 /// Functions of x and y, 1/8 < x_0 < 7/8 < 1 < y_0 < 2; further out each leaves its range somewhere.
-constexpr auto functions = std::tuple{
+constexpr auto smooth_functions = std::tuple{
     Named{"square root", [](const auto& x, const auto&) { return sqrt(x); }},
     Named{"cbrt", [](const auto& x, const auto&) { return cbrt(x); }},
     Named{"real power", [](const auto& x, const auto&) { return pow(x, 1.5); }},
@@ -60,7 +60,8 @@ constexpr auto functions = std::tuple{
     Named{"first stretch invariant",
           [](const auto& x, const auto& y) { return stretch_invariants_of_diagonal(x, y).first; }},
     Named{"second stretch invariant",
-          [](const auto& x, const auto& y) { return stretch_invariants_of_diagonal(x, y).second; }},
+          [](const auto& x, const auto& y) { return stretch_invariants_of_diagonal(x, y).second; }}};
+constexpr auto choices = std::tuple{
     Named{"abs", [](const auto& x, const auto& y) { return abs(x - y); }},
     Named{"min", [](const auto& x, const auto& y) { return min(x * y, 0.5); }},
     Named{"max", [](const auto& x, const auto& y) { return max(x * y, x + 0.25); }},
@@ -72,6 +73,7 @@ constexpr auto functions = std::tuple{
             return tan(a * b) + c * d - select(x * y < 0.5, tanh(y), pow(y, x)) / (1.0 + expm1(max(x, 0.5)));
           }},
 };
+constexpr auto functions = std::tuple_cat(smooth_functions, choices);
 
 /// action(name, f) for each function.
 template <class Action>

@@ -56,6 +56,9 @@
 //     static double damping(double c);                      // c [kg/s], of the parameters: for the Courant limit
 //     static constexpr bool unbounded = true;               // there is no stiffness: Courant limits go without the law
 //
+//     static constexpr int unrolled_orders = 20;            // compiled as one function too, for systems of a single
+//                                                           // element (law_kernel.hpp)
+//
 //     template <int D>              // the way to where the force has a kink or jumps [m]
 //     static Vector<double, D> kink(const Positions<D, 2>& x, double stiffness, double rest_length);
 //
@@ -92,6 +95,8 @@
 #include <utility>
 #include <vector>
 
+#include "jetlag/forces/law.hpp"
+#include "jetlag/forces/law_kernel.hpp"
 #include "jetlag/series/jet.hpp"
 #include "jetlag/tape/derivative.hpp"
 #include "jetlag/tape/fusion.hpp"
@@ -99,48 +104,6 @@
 #include "jetlag/tape/tape.hpp"
 
 namespace jetlag {
-
-template <class T, int D>
-using Vector = Eigen::Matrix<T, D, 1>;
-
-/// The particles on which one element acts, as its law sees them.
-template <class T, int D, int P>
-struct Participants {
-  std::array<Vector<T, D>, P> position;  // [m]
-  std::array<Vector<T, D>, P> velocity;  // [m/s]
-  std::array<T, P> mass;                 // [kg], no series
-  T time;                                // [s]
-};
-
-/// Their positions alone, as numbers [m].
-template <int D, int P>
-using Positions = std::array<Vector<double, D>, P>;
-
-constexpr int most_participants = 8;
-
-template <class L>
-concept ForceLaw = requires {
-  { L::name } -> std::convertible_to<const char*>;
-  { L::participants } -> std::convertible_to<int>;
-  L::parameters.size();
-} && (1 <= L::participants && L::participants <= most_participants);
-
-/// A law whose parameters follow from a rest shape and a material.
-template <class L>
-concept HasRestShape = ForceLaw<L> && requires { L::material.size(); };
-
-/// Whether a law gives the forces on all of its participants.
-template <ForceLaw L>
-constexpr bool is_external() {
-  if constexpr (requires { L::external; })
-    return L::external || L::participants == 1;
-  else
-    return L::participants == 1;
-}
-
-/// How many forces it gives: on its first participants.
-template <ForceLaw L>
-constexpr int forces_given = is_external<L>() ? L::participants : L::participants - 1;
 
 /// Whether it is defined in a dimension of space.
 template <ForceLaw L>
@@ -225,6 +188,8 @@ struct RecordedLaw {
   using Kink = Eigen::Vector3d (*)(const double* positions, const double* parameters);
   Kink kink = nullptr;
   int kink_components = 0;
+
+  LawKernel kernel{};  // the law itself, compiled for a single element
 
   bool is_external() const { return given == participants; }
   /// Whether its kinks are where particles meet, as the ends of a spring, so that hardly any motion hits one.
@@ -312,20 +277,12 @@ void add_bounds(RecordedLaw& law) {
   }
 }
 
-/// Whether L has forces of its own.
-template <ForceLaw L, int D>
-constexpr bool gives_forces = requires(const Participants<Recorded, D, L::participants>& p) {
-  []<std::size_t... I>(const auto& q, std::index_sequence<I...>)
-    requires(
-        requires { L::force(q, ((void)I, Recorded())...); } ||
-        requires { L::forces(q, ((void)I, Recorded())...); })
-  {}(p, std::make_index_sequence<L::parameters.size()>{});
-};
-
 template <ForceLaw L, int D>
 RecordedLaw record_in_dimension() {
+  constexpr bool gives_forces = has_force<L, D, Recorded> || has_forces<L, D, Recorded>;
   RecordedLaw law{L::name, D, L::participants, {L::parameters.begin(), L::parameters.end()}, {}, {}};
   law.given = forces_given<L>;
+  law.kernel = kernel_of_law<L, D>();
   add_bounds<L>(law);
   add_kink<L, D>(law);
   const int all_parameters = static_cast<int>(L::parameters.size()) + L::participants;
@@ -352,11 +309,11 @@ RecordedLaw record_in_dimension() {
         recording, [](const auto& p, const auto&... c) -> Recorded { return L::energy(p, c...); });
     law.energy = with_separations(recording.finish({e}));
     law.energy->parameters = all_parameters;
-    if (!gives_forces<L, D> && reads(*law.energy, Input::Kind::velocity))
+    if (!gives_forces && reads(*law.energy, Input::Kind::velocity))
       throw std::invalid_argument(std::string(L::name) +
                                   ": forces from an energy that depends on velocities");
     // The last participant gets minus the sum of the others: its own derivative only where nothing but differences counts.
-    if (!gives_forces<L, D> && !is_external<L>() && reads_places(*law.energy))
+    if (!gives_forces && !is_external<L>() && reads_places(*law.energy))
       throw std::invalid_argument(std::string(L::name) +
                                   ": the energy of a law between particles must be written in differences of "
                                   "positions, x_i - x_j; or the law says that it is external");

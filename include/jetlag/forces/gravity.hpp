@@ -15,6 +15,8 @@ struct Gravity {
   static constexpr const char* name = "gravity";
   static constexpr int participants = 2;
   static constexpr std::array parameters{"constant"};
+  static constexpr int unrolled_orders = 20;
+  static constexpr std::array unrolled_dimensions{2, 3};
   static constexpr bool unbounded = true;
 
   template <class T, int D>

@@ -20,9 +20,6 @@
 
 namespace jetlag {
 
-/// The distance between rows of padded coordinates: a power of two, so that rows do not straddle cache lines.
-constexpr int padded(int dimension) { return dimension == 3 ? 4 : dimension; }
-
 /// What elements read: one padded row a particle for each order.
 template <class T>
 struct MotionRows {

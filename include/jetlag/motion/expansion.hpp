@@ -13,6 +13,8 @@
 // Coefficients k and k+1 of a force that does not depend on velocities need coefficients 0 .. k+1 of x, no more. So
 // such laws go two orders at a time, which halves what must be read from memory; the others follow order by order.
 //
+// Of a single element the law itself may be the kernel, for all orders at once (motion/unrolled_motion.hpp).
+//
 // Time may be counted in a unit u of its own: coefficients are then those of powers of (t - t_0) / u, that is x_k u^k,
 // and with a power of two their digits are the same. Fast and slow motions need it: of q'' = -w^2 q coefficient 20 is
 // some w^20, beyond the range of a double for w = 1e16 and 1e-16.
@@ -25,10 +27,11 @@
 #include <utility>
 #include <vector>
 
+#include "jetlag/base/accelerate.hpp"
 #include "jetlag/base/workers.hpp"
 #include "jetlag/model/model.hpp"
-#include "jetlag/motion/accelerate.hpp"
 #include "jetlag/motion/coefficient_view.hpp"
+#include "jetlag/motion/unrolled_motion.hpp"
 #include "jetlag/motion/wavefront.hpp"
 #include "jetlag/series/calculus/row_sums.hpp"
 
@@ -117,7 +120,7 @@ class Expansion {
       if (law.count() > 0 && law.has_conditions()) law.find_changes(order_ - 1, horizon, found);
   }
 
-  /// (element, order) pairs computed since construction: the honest unit of cost. Those of a state ahead count when a
+  /// (element, order) pairs known since construction, each counted once: the honest unit of cost. Those of a state ahead count when a
   /// start has gone on from there, or elsewhere.
   std::size_t element_coefficients() const { return element_coefficients_ - ahead_.element_coefficients; }
 
@@ -152,6 +155,14 @@ class Expansion {
   /// One or two orders more. The rows of the new positions hold the forces until they are complete.
   void grow_by(int orders);
 
+  // ---- a single element ----------------------------------------------------------------------------------------
+
+  /// Whether the series grows by the kernel of its law. What positions have beyond a number only tapes know.
+  bool is_unrolled() const { return unrolled_.exists() && rest_.empty() && !is_rolled_up_; }
+  void unroll_to(int order);
+  /// From its tape to the end, for orders that the kernel does not have; the series becomes what it would have been from the tape.
+  void roll_up();
+
   // ---- large scenes: chunk by chunk ------------------------------------------------------------------------
 
   struct Chunk {
@@ -184,8 +195,11 @@ class Expansion {
   std::vector<T> push_;                 // the same times the unit of time
   std::vector<ElementBlocks<T>> laws_;  // of the model
   std::vector<ElementBlocks<T>*> without_velocity_, with_velocity_;  // those that act
-  std::vector<Chunk> chunks_;                                        // of large scenes
-  std::unique_ptr<Wavefront> wavefront_;                             // over the chunks; null for small scenes
+  int expected_degree_;
+  UnrolledMotion<T> unrolled_;            // of a single element, where its orders are those that are expected
+  bool is_rolled_up_ = false;             // whether the series has gone on beyond them
+  std::vector<Chunk> chunks_;             // of large scenes
+  std::unique_ptr<Wavefront> wavefront_;  // over the chunks; null for small scenes
   T time_{}, time_unit_{1};
   int order_ = 1, capacity_ = 0;
   AlignedVector<T> x_, v_;  // [order][particle][padded component]
@@ -197,6 +211,7 @@ class Expansion {
     AlignedVector<T> x, v, rest;  // as x_, v_, rest_
     T time{};
     int order = 1;
+    bool is_rolled_up = false;
     std::size_t element_coefficients = 0;
   };
   Ahead ahead_;

@@ -49,6 +49,7 @@ void Expansion<T>::swap_ahead() {
   rest_.swap(ahead_.rest);
   std::swap(time_, ahead_.time);
   std::swap(order_, ahead_.order);
+  std::swap(is_rolled_up_, ahead_.is_rolled_up);
 }
 
 /// Whether a start from this state would compute what is known ahead.

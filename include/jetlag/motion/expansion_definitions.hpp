@@ -41,7 +41,8 @@ Expansion<T>::Expansion(const Model<T>& model, int expected_degree, const Kernel
       particles_(model.particles()),
       dimension_(model.dimension()),
       stride_(padded(dimension_)),
-      workers_(std::move(workers)) {
+      workers_(std::move(workers)),
+      expected_degree_(expected_degree) {
   for (int i = 0; i < particles_; ++i)
     inverse_mass_.insert(inverse_mass_.end(), stride_, model.inverse_mass(i));
   for (const auto& law : model.laws()) {
@@ -116,6 +117,7 @@ void Expansion<T>::restart(const T& time_unit) {
   T* x = at(x_, 1);
   for (std::size_t i = 0, size = row_size(); i < size; ++i) x[i] = v[i] * unit;
   order_ = 1;
+  is_rolled_up_ = false;
 }
 
 template <class T>
@@ -123,6 +125,8 @@ void Expansion<T>::grow_to(int order) {
   if (ahead_.is_known && order > order_)
     throw std::logic_error("Expansion: a series that has looked ahead grows no more");
   if (order > capacity_) reserve(std::max(2 * capacity_, order));
+  if (is_unrolled() && order > unrolled_.highest_order()) roll_up();
+  if (is_unrolled()) return unroll_to(order);
   if (wavefront_) return sweep_to(order);
   while (order_ < order) grow_by(order_ + 1 < order ? 2 : 1);
 }
@@ -179,7 +183,7 @@ std::size_t Expansion<T>::bytes() const {
   std::size_t total =
       sizeof(T) * (x_.size() + v_.size() + ahead_.x.size() + ahead_.v.size() + 2 * inverse_mass_.size());
   for (const auto& blocks : laws_) total += blocks.bytes();
-  return total;
+  return total + unrolled_.bytes();
 }
 
 template <class T>
@@ -246,11 +250,31 @@ void Expansion<T>::grow_by(int orders) {
 }
 
 template <class T>
+void Expansion<T>::unroll_to(int order) {
+  if (order <= order_) return;
+  unrolled_.grow(at(x_, 0), at(v_, 0), push_.data(), time_, time_unit_, order_ - 1, order - 1);
+  for (const auto& law : laws_)
+    element_coefficients_ += law.count() * law.running(order_ - 1, order - order_);
+  order_ = order;
+}
+
+template <class T>
+void Expansion<T>::roll_up() {
+  is_rolled_up_ = true;
+  const std::size_t counted = element_coefficients_;
+  const int known = std::exchange(order_, 1);
+  while (order_ < known) grow_by(order_ + 1 < known ? 2 : 1);
+  element_coefficients_ = counted;
+}
+
+template <class T>
 void Expansion<T>::arrange() {
   without_velocity_.clear();
   with_velocity_.clear();
   chunks_.clear();
   bool large = false;
+  unrolled_ = UnrolledMotion<T>(model_, *table_);
+  if (expected_degree_ > unrolled_.highest_order()) unrolled_ = {};
   for (auto& blocks : laws_) {
     if (blocks.count() == 0) continue;
     (blocks.reads_velocity() ? with_velocity_ : without_velocity_).push_back(&blocks);

@@ -81,7 +81,8 @@ struct Divide {
   static constexpr const char* name = "divide";
   static constexpr std::array reads{Reads::newest, Reads::history, Reads::history};
   static auto coefficient(int k, const auto& f, const auto& g, const auto& q) {
-    return k == 0 ? f[0] / g[0] : (f[k] - convolution(k, 0, k - 1, q, g)) / g[0];
+    using T = std::decay_t<decltype(f[0] / g[0])>;
+    return k == 0 ? T(f[0] / g[0]) : over<T>(f[k] - convolution(k, 0, k - 1, q, g), g[0]);
   }
   static constexpr int two_from = 1;
   static auto two_coefficients(int k, const auto& f, const auto& g, const auto& q) {
@@ -98,7 +99,9 @@ struct Divide {
 struct DivideByConstant {
   static constexpr const char* name = "divide by constant";
   static constexpr std::array reads{Reads::newest, Reads::constant, Reads::nothing};
-  static auto coefficient(int k, const auto& f, const auto& c, const auto&) { return f[k] / c[0]; }
+  static auto coefficient(int k, const auto& f, const auto& c, const auto&) {
+    return over<std::decay_t<decltype(f[0] / c[0])>>(f[k], c[0]);
+  }
 };
 
 /// q = c / g:   q_0 = c / g_0,   q_k = -(sum_{j=0..k-1} q_j g_{k-j}) / g_0.         Source: Divide with f = c.
@@ -107,7 +110,8 @@ struct Reciprocal {
   static constexpr const char* name = "reciprocal";
   static constexpr std::array reads{Reads::constant, Reads::history, Reads::history};
   static auto coefficient(int k, const auto& c, const auto& g, const auto& q) {
-    return k == 0 ? c[0] / g[0] : -convolution(k, 0, k - 1, q, g) / g[0];
+    using T = std::decay_t<decltype(c[0] / g[0])>;
+    return k == 0 ? T(c[0] / g[0]) : over<T>(-convolution(k, 0, k - 1, q, g), g[0]);
   }
 };
 

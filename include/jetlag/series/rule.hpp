@@ -59,11 +59,42 @@ T multiply_add(const T& a, const T& b, const T& c) {
 template <class T>
 inline constexpr int partial_sums = 1;
 
+/// Whether sums over T are straight code: k is known when they are compiled (series/online/unrolled.hpp). What decides their time is
+/// how long the newest terms wait, those at both ends of a convolution: they are added last.
+template <class T>
+inline constexpr bool is_unrolled = false;
+
+/// a / b of what is the same b at every order: T may take the reciprocal, once for all.
+template <class T>
+T over(const T& a, const T& b) {
+  return a / b;
+}
+
+/// sum_{i=0..n-1} a(i) b(i), n >= 1, from the middle outwards; straight code where n is known.
+template <class T, class A, class B>
+T sum_from_the_middle(int n, const A& a, const B& b) {
+  const int middle = (n - 1) / 2;
+  T sum = a(middle) * b(middle);
+  const auto add_pair = [&](int d) {
+    if (d <= middle) sum = multiply_add<T>(a(middle - d), b(middle - d), sum);
+    sum = multiply_add<T>(a(middle + d), b(middle + d), sum);
+  };
+  if (__builtin_constant_p(n)) {
+#pragma GCC unroll 64
+    for (int d = 1; d <= n / 2; ++d) add_pair(d);
+  } else {
+    for (int d = 1; d <= n / 2; ++d) add_pair(d);
+  }
+  return sum;
+}
+
 /// sum_{i=0..n-1} a(i) b(i), n >= 1: term i goes to partial sum i modulo partial_sums<T>.
 template <class T, class A, class B>
 T sum_of_products(int n, const A& a, const B& b) {
   constexpr int width = partial_sums<T>;
-  if constexpr (width == 1) {
+  if constexpr (is_unrolled<T>) {
+    return sum_from_the_middle<T>(n, a, b);
+  } else if constexpr (width == 1) {
     T sum = a(0) * b(0);
     for (int i = 1; i < n; ++i) sum = multiply_add<T>(a(i), b(i), sum);
     return sum;
@@ -99,6 +130,29 @@ auto weighted_convolution(int k, int first, int last, const U& u, const V& v) {
   return sum_of_products<T>(
       last - first + 1, [&](int i) { return T((first + i) * u[first + i]); },
       [&](int i) -> decltype(auto) { return v[k - first - i]; });
+}
+
+/// (sum_{j=1..k} j u_j v_{k-j}) / k, k >= 1: coefficient k of the integral of u' v.
+template <class U, class V>
+auto integral_of_product(int k, const U& u, const V& v) {
+  using T = std::decay_t<decltype(u[0] * v[0])>;
+  if constexpr (is_unrolled<T>)  // v_{k-1} is the newest
+    return multiply_add<T>(u[1] / k, v[k - 1], weighted_convolution(k, 2, k, u, v) / k);
+  else
+    return weighted_convolution(k, 1, k, u, v) / k;
+}
+
+/// (sum_{i=0..n-1} a(i) b(i)) / (k c), n >= 1: k is an order, c the same at every order, the last term the newest.
+template <class T, class A, class B>
+T sum_of_products_over(int n, const A& a, const B& b, int k, const T& c) {
+  if constexpr (is_unrolled<T>) {
+    const T r = (T(1.0) / c) / k;
+    const T newest = a(n - 1) * r;
+    if (n == 1) return newest * b(0);
+    return multiply_add<T>(newest, b(n - 1), r * sum_from_the_middle<T>(n - 1, a, b));
+  } else {
+    return sum_of_products<T>(n, a, b) / (k * c);
+  }
 }
 
 /// sum_{j=first..k-first} u_j u_{k-j}, each pair of equal terms computed once, the outermost last; 0 when the range is

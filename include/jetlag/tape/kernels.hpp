@@ -55,6 +55,7 @@ struct KernelTable {
   Gather<T> gather;
   Scatter<T> scatter;
   const KernelTable* narrower;  // the same instruction set with fewer lanes, or null
+  bool fuses = false;           // whether products are added in one rounding
 
   /// Of this table and the narrower ones, the one with the least to compute for so many elements, wasted lanes counted.
   const KernelTable& fitting(std::size_t elements) const {
@@ -199,12 +200,19 @@ void scatter(int dimension, int active, const T* const* f, const int* plus, cons
 template <class Lane, class T, int lanes, Rule... R>
 constexpr KernelTable<T> make_kernels(const char* instruction_set, RuleList<R...>,
                                       const KernelTable<T>* narrower = nullptr) {
+  constexpr bool fuses = [] {
+    if constexpr (requires { Lane::fuses; })
+      return Lane::fuses;
+    else
+      return false;
+  }();
   return {lanes,
           instruction_set,
           {kernel_of<R, Lane, T, lanes>()...},
           &gather<Lane, T, lanes>,
           &scatter<Lane, T>,
-          narrower};
+          narrower,
+          fuses};
 }
 
 }  // namespace detail

@@ -15,7 +15,7 @@ struct Exp {
   static constexpr std::array reads{Reads::history, Reads::history};
   static auto coefficient(int k, const auto& u, const auto& v) {
     using std::exp;
-    return k == 0 ? exp(u[0]) : weighted_convolution(k, 1, k, u, v) / k;
+    return k == 0 ? exp(u[0]) : integral_of_product(k, u, v);
   }
 };
 

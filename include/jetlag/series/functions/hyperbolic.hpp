@@ -15,7 +15,7 @@ struct Sinh {
   static constexpr std::array reads{Reads::history, Reads::history, Reads::nothing};
   static auto coefficient(int k, const auto& u, const auto& c, const auto&) {
     using std::sinh;
-    return k == 0 ? sinh(u[0]) : weighted_convolution(k, 1, k, u, c) / k;
+    return k == 0 ? sinh(u[0]) : integral_of_product(k, u, c);
   }
 };
 
@@ -26,7 +26,7 @@ struct Cosh {
   static constexpr std::array reads{Reads::history, Reads::history, Reads::nothing};
   static auto coefficient(int k, const auto& u, const auto& s, const auto&) {
     using std::cosh;
-    return k == 0 ? cosh(u[0]) : weighted_convolution(k, 1, k, u, s) / k;
+    return k == 0 ? cosh(u[0]) : integral_of_product(k, u, s);
   }
 };
 
@@ -37,7 +37,7 @@ struct Tanh {
   static constexpr std::array reads{Reads::history, Reads::history, Reads::nothing};
   static auto coefficient(int k, const auto& u, const auto& c, const auto&) {
     using std::tanh;
-    return k == 0 ? tanh(u[0]) : weighted_convolution(k, 1, k, u, c) / k;
+    return k == 0 ? tanh(u[0]) : integral_of_product(k, u, c);
   }
 };
 

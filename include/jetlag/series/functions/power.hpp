@@ -17,10 +17,9 @@ struct Power {
     using std::pow;
     using T = std::decay_t<decltype(f[0] * p[0])>;
     if (k == 0) return T(pow(f[0], a[0]));
-    return T(sum_of_products<T>(
-                 k, [&](int j) { return T(weight<T>(k, j, a) * f[k - j]); },
-                 [&](int j) -> decltype(auto) { return p[j]; }) /
-             (k * f[0]));
+    return sum_of_products_over<T>(
+        k, [&](int j) { return T(weight<T>(k, j, a) * f[k - j]); },
+        [&](int j) -> decltype(auto) { return p[j]; }, k, f[0]);
   }
   static constexpr int two_from = 1;
   static auto two_coefficients(int k, const auto& a, const auto& f, const auto& p) {

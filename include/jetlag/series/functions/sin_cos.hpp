@@ -15,7 +15,7 @@ struct Sin {
   static constexpr std::array reads{Reads::history, Reads::history, Reads::nothing};
   static auto coefficient(int k, const auto& u, const auto& c, const auto&) {
     using std::sin;
-    return k == 0 ? sin(u[0]) : weighted_convolution(k, 1, k, u, c) / k;
+    return k == 0 ? sin(u[0]) : integral_of_product(k, u, c);
   }
 };
 
@@ -26,7 +26,7 @@ struct Cos {
   static constexpr std::array reads{Reads::history, Reads::history, Reads::nothing};
   static auto coefficient(int k, const auto& u, const auto& s, const auto&) {
     using std::cos;
-    return k == 0 ? cos(u[0]) : -weighted_convolution(k, 1, k, u, s) / k;
+    return k == 0 ? cos(u[0]) : -integral_of_product(k, u, s);
   }
 };
 

@@ -15,7 +15,8 @@ struct Sqrt {
   static constexpr std::array reads{Reads::newest, Reads::history};
   static auto coefficient(int k, const auto& f, const auto& s) {
     using std::sqrt;
-    return k == 0 ? sqrt(f[0]) : (f[k] - symmetric_convolution(k, 1, s)) / (s[0] + s[0]);
+    using T = std::decay_t<decltype(s[0] * s[0])>;
+    return k == 0 ? T(sqrt(f[0])) : over<T>(f[k] - symmetric_convolution(k, 1, s), s[0] + s[0]);
   }
   static constexpr int two_from = 5;  // from here on both sums have a term
   static auto two_coefficients(int k, const auto& f, const auto& s) {

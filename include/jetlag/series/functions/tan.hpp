@@ -15,7 +15,7 @@ struct Tan {
   static constexpr std::array reads{Reads::history, Reads::history, Reads::nothing};
   static auto coefficient(int k, const auto& u, const auto& c, const auto&) {
     using std::tan;
-    return k == 0 ? tan(u[0]) : weighted_convolution(k, 1, k, u, c) / k;
+    return k == 0 ? tan(u[0]) : integral_of_product(k, u, c);
   }
 };
 

@@ -14,7 +14,7 @@ namespace jetlag {
 /// The lanes of ensembles do the same with kernels of their own (ensembles/system_lanes.cpp).
 template <class T>
 void accelerate(std::size_t n, int k, const T& unit, const T* push, T* x, T* v) {
-  const T of_velocity = T(1) / T(k + 1), of_position = unit / T((k + 1) * (k + 2));
+  const T of_velocity = T(1) / T(k + 1), of_position = unit * (T(1) / T((k + 1) * (k + 2)));
   for (std::size_t i = 0; i < n; ++i) {
     const T change = x[i] * push[i];
     if (v != nullptr) v[i] = change * of_velocity;
