@@ -3,6 +3,7 @@
 
 #include "engine.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -57,6 +58,30 @@ void peak(benchmark::State& run) {
   int width = 0;
   for (auto _ : run) width = function(rounds);
   run.counters["items"] = static_cast<double>(16 * rounds * width);
+}
+
+/// A chain of multiply-adds each of which waits for the one before: the unit of time of small systems.
+#if defined(__x86_64__)
+[[gnu::target("fma")]] double chain_of_multiply_adds(std::int64_t rounds, double sum, double factor) {
+  for (std::int64_t i = 0; i < rounds; ++i) sum = __builtin_fma(sum, factor, 1e-3);
+  return sum;
+}
+#else
+double chain_of_multiply_adds(std::int64_t rounds, double sum, double factor) {
+  for (std::int64_t i = 0; i < rounds; ++i) sum = std::fma(sum, factor, 1e-3);
+  return sum;
+}
+#endif
+void fma_latency(benchmark::State& run) {
+#if defined(__x86_64__)
+  if (!__builtin_cpu_supports("fma")) return run.SkipWithError("this processor has no fused multiply-adds");
+#endif
+  constexpr std::int64_t rounds = 10000;
+  double sum = 0, factor = 0.999;
+  benchmark::DoNotOptimize(factor);
+  for (auto _ : run) sum = chain_of_multiply_adds(rounds, sum, factor);
+  benchmark::DoNotOptimize(sum);
+  run.counters["items"] = static_cast<double>(rounds);
 }
 
 // ---- expansions -------------------------------------------------------------------------------------------
@@ -149,11 +174,18 @@ void register_engine() {
   for (const int side : engine_sides)
     benchmark::RegisterBenchmark(name("size/" + std::to_string(side)).c_str(), expand,
                                  "cloth" + std::to_string(side), 8, 1);
-  for (const std::string system : {"solar", "pendulum", "kepler"})
-    benchmark::RegisterBenchmark(name(system).c_str(), step, system);
+  benchmark::RegisterBenchmark(name("fma_latency").c_str(), fma_latency);
+  benchmark::RegisterBenchmark(name("kepler").c_str(), step, "kepler");
+  for (const SmallSystem& system : small_systems) {
+    const std::string of = system.name;
+    const double length = of.starts_with("s") ? 2e4 : 20;
+    benchmark::RegisterBenchmark(name(of).c_str(), step, of);
+    for (const int members : {8, system.many})
+      benchmark::RegisterBenchmark(name("ensemble/" + of + "/" + std::to_string(members)).c_str(), ensemble,
+                                   of, members, 1, length);
+  }
   benchmark::RegisterBenchmark(name("start_up").c_str(), start_up);
   benchmark::RegisterBenchmark(name("ensemble/kepler").c_str(), ensemble, "planar_kepler", 256, 1, 20.0);
-  benchmark::RegisterBenchmark(name("ensemble/solar").c_str(), ensemble, "solar", 32, 1, 2e4);
   for (const int threads : {1, 2})
     benchmark::RegisterBenchmark(name("ensemble/solar1000/" + std::to_string(threads)).c_str(), ensemble,
                                  "solar", 1000, threads, 2e4)

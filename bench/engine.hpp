@@ -11,6 +11,19 @@ namespace jetlag::bench {
 inline constexpr int engine_degrees[] = {8, 16, 32, 64};
 inline constexpr int engine_sides[] = {14, 42, 130, 410};  // cloths of 1e3, 1e4, 1e5, 1e6 springs
 
+/// Small systems, the goals for a step in dependent multiply-adds, and those for a member and step of ensembles of 8 and of many.
+struct SmallSystem {
+  const char *name, *title;
+  double step, of_eight, of_many;
+  int many;
+};
+inline constexpr SmallSystem small_systems[] = {
+    {"pendulum", "pendulum", 150, 40, 30, 256},
+    {"planet", "planet about a sun that is held", 220, 45, 36, 256},
+    {"henon_heiles", "Henon and Heiles", 140, 30, 25, 256},
+    {"sun_jupiter_saturn", "Sun, Jupiter, Saturn", 420, 300, 270, 32},
+    {"solar", "outer Solar System", 1000, 1200, 900, 32}};
+
 class Reporter;
 
 /// Prints the rows that were measured in this run; nothing if none was.

@@ -39,7 +39,7 @@ Problem pleiades();
 
 /// The Sun with the inner planets, Jupiter, Saturn, Uranus, Neptune and Pluto; astronomical units and days.
 /// Source: [HLW06] I.2.4, heliocentric positions and velocities of September 5, 1994.
-Problem outer_solar_system();
+Problem outer_solar_system(int bodies = 6);
 
 /// The closed orbit with four loops near the earth and the moon, in axes that turn with them, for one period.
 Problem arenstorf_orbit();
