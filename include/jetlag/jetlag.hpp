@@ -3,6 +3,7 @@
 // Everything of the library, floor by floor.
 
 #include "jetlag/control/courant.hpp"
+#include "jetlag/control/damping_bound.hpp"
 #include "jetlag/control/fixed_step.hpp"
 #include "jetlag/control/frequency_bound.hpp"
 #include "jetlag/control/halve_double.hpp"
@@ -67,6 +68,7 @@
 #include "jetlag/truncation/sequential.hpp"
 #include "jetlag/truncation/single_term.hpp"
 #include "jetlag/truncation/stability.hpp"
+#include "jetlag/truncation/stable_rays.hpp"
 #include "jetlag/truncation/stops.hpp"
 #include "jetlag/truncation/truncation.hpp"
 #include "jetlag/truncation/variance_capped.hpp"

@@ -36,29 +36,48 @@ CourantSteps::CourantSteps(const Model<double>& model, const TruncationLaw& law,
                            double safety)
     : law_(law),
       velocity_(velocity),
-      damping_(common_damping(model)),
+      least_(least_damping(model)),
       safety_(safety),
-      growth_(bounds_need_state(model) ? courant_growth : 1.0) {}
+      growth_(bounds_need_state(model) ? courant_growth : 1.0),
+      growth_of_damping_(damping_needs_state(model) ? courant_growth : 1.0) {
+  const bool needs_state = damping_needs_state(model);
+  if (velocity == VelocitySeries::derivative) {
+    if (needs_state)
+      throw std::invalid_argument(
+          "courant: where forces other than drag act on velocities, steps are bounded for velocities of "
+          "their "
+          "own series only, not for those of the derivative");
+    least_ = common_damping(model);
+  } else if (needs_state || damping_bound(model) > least_ * (1 + 1e-12)) {
+    rays_.emplace(law);
+  }
+}
 
-std::vector<double> CourantSteps::operator()(const std::vector<double>& omega) {
+std::vector<double> CourantSteps::operator()(const std::vector<double>& omega,
+                                             const std::vector<double>& damping) {
   const double fastest = growth_ * (omega.empty() ? 0.0 : *std::ranges::max_element(omega));
-  if (damping_ > 0 && !(0.8 * fastest_ <= fastest && fastest <= fastest_)) {
+  if (is_damped() && !(0.8 * fastest_ <= fastest && fastest <= fastest_)) {
     limits_.clear();
     fastest_ = fastest;
   }
   std::vector<double> steps;
-  for (const double bound : omega) {
-    const double w = growth_ * bound;
+  for (std::size_t i = 0; i < omega.size(); ++i) {
+    const double w = growth_ * omega[i];
+    if (rays_) {
+      steps.push_back(safety_ * rays_->step({w, least_, growth_of_damping_ * damping[i]}));
+      require_courant(safety_, steps.back());
+      continue;
+    }
     if (w == 0) {
       steps.push_back(std::numeric_limits<double>::infinity());
       continue;
     }
-    const int octave = damping_ > 0 ? static_cast<int>(std::floor(std::log2(fastest_ / w))) : 0;
+    const int octave = is_damped() ? static_cast<int>(std::floor(std::log2(fastest_ / w))) : 0;
     const double upper =
-        damping_ > 0 ? std::ldexp(fastest_, -octave) : w;  // without damping every w has the same limit
+        is_damped() ? std::ldexp(fastest_, -octave) : w;  // without damping every w has the same limit
     auto [known, is_new] = limits_.try_emplace(octave, 0.0);
     if (is_new) {
-      known->second = courant_limit(law_, velocity_, upper, damping_);
+      known->second = courant_limit(law_, velocity_, upper, least_);
       require_courant(safety_, known->second);
     }
     steps.push_back(safety_ * known->second / upper);
@@ -66,16 +85,33 @@ std::vector<double> CourantSteps::operator()(const std::vector<double>& omega) {
   return steps;
 }
 
+void CourantSteps::require_stable() {
+  require_courant(safety_, 1.0);
+  if (!is_damped()) (*this)({1.0}, {0.0});
+}
+
 std::vector<double> courant_steps_of_particles(const Model<double>& model, const TruncationLaw& law,
                                                VelocitySeries velocity, double safety) {
   require_bounded(model);
-  return CourantSteps(model, law, velocity, safety)(frequency_bounds(model));
+  return CourantSteps(model, law, velocity, safety)(frequency_bounds(model), damping_bounds(model));
 }
 
 std::vector<double> courant_steps_of_particles(const Model<double>& model, const State<double>& state,
                                                const TruncationLaw& law, VelocitySeries velocity,
                                                double safety) {
-  return CourantSteps(model, law, velocity, safety)(frequency_bounds(model, state));
+  require_finite_tangents(model, state);
+  require_damping(model, state);
+  return CourantSteps(model, law, velocity, safety)(FrequencyMeter(model).of_particles(state),
+                                                    DampingMeter(model).of_particles(state));
+}
+
+double courant_step(const Model<double>& model, const State<double>& state, const TruncationLaw& law,
+                    VelocitySeries velocity, double safety) {
+  require_finite_tangents(model, state);
+  require_damping(model, state);
+  return CourantSteps(model, law, velocity, safety)({FrequencyMeter(model)(state)},
+                                                    {DampingMeter(model)(state)})
+      .front();
 }
 
 void require_courant(double safety, double limit) {
@@ -97,25 +133,12 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 }
 
 struct Courant::OfStates {
-  FrequencyMeter meter;
-  TruncationLaw law;
-  VelocitySeries velocity;
-  double damping, safety;
+  FrequencyMeter frequency;
+  DampingMeter damping;
+  CourantSteps steps;
   int refresh;
-  int left = 0;                 // steps until the next bound
-  std::uint64_t taken = 0;      // bounds so far
-  double omega = 0, limit = 0;  // for which the limit is known, 0: not yet
-
-  /// The longest step for frequencies up to w. With damping it takes long to find: one for higher frequencies serves for
-  /// those somewhat below.
-  double longest(double w) {
-    if (damping == 0 ? limit == 0 : !(0.8 * omega <= w && w <= omega)) {
-      omega = w;
-      limit = courant_limit(law, velocity, omega, damping);
-      require_courant(safety, limit);
-    }
-    return safety * limit / (damping == 0 ? w : omega);
-  }
+  int left = 0;             // steps until the next bounds
+  std::uint64_t taken = 0;  // bounds so far
 };
 
 Courant::Courant(std::unique_ptr<Control> inner, double safety, double limit, double omega)
@@ -130,14 +153,15 @@ Courant::Courant(std::unique_ptr<Control> inner, double safety, const Model<doub
     : inner_(std::move(inner)), largest_step_(unlimited) {
   if (refresh < 1)
     throw std::invalid_argument("courant_refresh must be >= 1, got " + std::to_string(refresh));
-  OfStates of_states{FrequencyMeter(model), law, velocity, common_damping(model), safety, refresh};
-  if (bounds_need_state(model)) {
-    if (of_states.damping == 0) of_states.longest(1.0);  // refuses what is unstable
-    require_courant(safety, 1.0);
-    of_states_ = std::make_unique<OfStates>(std::move(of_states));
-  } else if (const double omega = frequency_bound(model); omega > 0) {
-    largest_step_ = of_states.longest(omega);
-    frequency_.bound = omega;
+  CourantSteps steps(model, law, velocity, safety);
+  if (bounds_need_state(model) || damping_needs_state(model)) {
+    steps.require_stable();
+    of_states_ = std::make_unique<OfStates>(
+        OfStates{FrequencyMeter(model), DampingMeter(model), std::move(steps), refresh});
+  } else if (const double omega = frequency_bound(model), damping = damping_bound(model);
+             omega > 0 || damping > 0) {
+    largest_step_ = steps({omega}, {damping}).front();
+    if (omega > 0) frequency_.bound = omega;
   }
 }
 
@@ -157,9 +181,11 @@ double Courant::propose(const Prospect& prospect) {
   if (of_states_ && of_states_->left-- == 0) {
     of_states_->left = of_states_->refresh - 1;
     const Expansion<double>& series = prospect.series;
-    const double omega = of_states_->meter({series.time(), series.position(0), series.velocity(0)});
-    if (std::isfinite(omega)) {
-      largest_step_ = omega > 0 ? of_states_->longest(courant_growth * omega) : unlimited;
+    const State<double> state{series.time(), series.position(0), series.velocity(0)};
+    const double omega = of_states_->frequency(state), damping = of_states_->damping(state);
+    if (std::isfinite(omega) && std::isfinite(damping)) {
+      if (of_states_->taken == 0) of_states_->damping.require_positive(state.time);
+      largest_step_ = of_states_->steps({omega}, {damping}).front();
       frequency_ = {omega, frequency_.refreshed + (of_states_->taken++ > 0)};
     }
   }

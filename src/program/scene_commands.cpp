@@ -4,10 +4,9 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <optional>
-#include <stdexcept>
 
 #include "jetlag/base/text.hpp"
+#include "jetlag/control/damping_bound.hpp"
 #include "jetlag/control/frequency_bound.hpp"
 #include "jetlag/motion/expansion.hpp"
 #include "program/commands.hpp"
@@ -30,13 +29,6 @@ int show(const SceneArguments& arguments) {
   return 0;
 }
 
-/// A bound of the frequencies at the start [1/s]; nothing where forces that depend on velocities leave none.
-std::optional<double> fastest(const Scene& scene) try {
-  return FrequencyMeter(*scene.system)(scene.initial);
-} catch (const std::invalid_argument&) {
-  return std::nullopt;
-}
-
 /// What a scene is and what its run would cost, from one expansion measured here.
 int check(const SceneArguments& arguments) {
   const Scene scene = arguments.load();
@@ -52,13 +44,15 @@ int check(const SceneArguments& arguments) {
                 group.count() == 1 ? "" : "s");
   const auto uncounted = std::ranges::find_if(
       system.elements(), [](const auto& group) { return group.count() > 0 && group.law.unbounded; });
-  const auto omega = fastest(scene);
-  if (!omega) std::printf("  stiffness   no bound is known where forces depend on velocities\n");
-  if (omega && *omega > 0)
-    std::printf(
-        "  stiffness   frequencies up to %.4g rad/s%s; leapfrog is stable below a step of %.4g s%s\n", *omega,
-        bounds_need_state(system) ? " at the start" : "", 2 / *omega,
-        uncounted == system.elements().end() ? "" : (", " + uncounted->law.name + " not counted").c_str());
+  const double omega = FrequencyMeter(system)(scene.initial), damping = DampingMeter(system)(scene.initial);
+  const std::string others =
+      uncounted == system.elements().end() ? "" : ", " + uncounted->law.name + " not counted";
+  if (omega > 0 && damping_needs_state(system))
+    std::printf("  stiffness   frequencies up to %.4g rad/s and viscosity up to %.4g /s at the start%s\n",
+                omega, damping, others.c_str());
+  else if (omega > 0)
+    std::printf("  stiffness   frequencies up to %.4g rad/s%s; leapfrog is stable below a step of %.4g s%s\n",
+                omega, bounds_need_state(system) ? " at the start" : "", 2 / omega, others.c_str());
   const int orders = std::max(1, static_cast<int>(scene.mean_orders + 0.5));
   Expansion<double> series(system, orders + 1);
   series.start(scene.initial);

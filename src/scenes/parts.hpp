@@ -87,9 +87,14 @@ SceneKeys control_keys();
 void require_control_for(const Truncation& law, const Value& control);
 /// "max_step" [s], infinite where it is left out.
 double read_max_step(const Value& control);
-/// The fraction of the Courant limit, if asked for, and a bound of the fastest frequency at the start.
+/// The fraction of the Courant limit, if asked for, and a bound of the fastest frequency at the start: of methods that know
+/// no limit with a damping.
 std::optional<std::pair<double, double>> read_courant(const Value& control, const System<double>& system,
                                                       const State<double>& start);
+/// The fraction alone, of series with a law: refused where it leaves no step at the start, or does not limit it.
+std::optional<double> read_courant_of_series(const Value& control, const System<double>& system,
+                                             const State<double>& start, const TruncationLaw& law,
+                                             VelocitySeries velocity);
 
 /// A list of particles: at least one, none fixed, none twice. Shape (particles).
 std::vector<bool> read_partition(const Value& list, const System<double>& system);

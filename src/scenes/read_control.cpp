@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // "control" of a series: how far to go. To add one, write its reader and add its record.
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "jetlag/control/courant.hpp"
@@ -108,20 +109,39 @@ void require_control_for(const Truncation& law, const Value& control) {
                  "variance of the law");
 }
 
+namespace {
+
+void refuse_without_stiffness(const Value& courant) {
+  courant.refuse("left out: no force of this scene has a stiffness that limits the step");
+}
+
+}  // namespace
+
 std::optional<std::pair<double, double>> read_courant(const Value& control, const System<double>& system,
                                                       const State<double>& start) {
   const auto courant = control.find("courant");
   if (!courant) return std::nullopt;
   const double safety = courant->number(fraction),
                omega = checked(*courant, [&] { return frequency_bound(system, start); });
-  if (omega == 0) courant->refuse("left out: no force of this scene has a stiffness that limits the step");
+  if (omega == 0) refuse_without_stiffness(*courant);
   return std::pair(safety, omega);
+}
+
+std::optional<double> read_courant_of_series(const Value& control, const System<double>& system,
+                                             const State<double>& start, const TruncationLaw& law,
+                                             VelocitySeries velocity) {
+  const auto courant = control.find("courant");
+  if (!courant) return std::nullopt;
+  const double safety = courant->number(fraction),
+               step = checked(*courant, [&] { return courant_step(system, start, law, velocity, safety); });
+  if (!std::isfinite(step)) refuse_without_stiffness(*courant);
+  return safety;
 }
 
 std::unique_ptr<Control> read_control(const Value& control, const TruncationLaw& law, VelocitySeries velocity,
                                       const System<double>& system, const State<double>& start) {
   auto inner = named(control_records(), control.at("type").text()).read(control, law);
-  const auto courant = read_courant(control, system, start);
+  const auto courant = read_courant_of_series(control, system, start, law, velocity);
   if (!courant) {
     if (const auto refresh = control.find("courant_refresh")) refresh->refuse("left out where courant is");
     return inner;
@@ -129,9 +149,7 @@ std::unique_ptr<Control> read_control(const Value& control, const TruncationLaw&
   const auto refresh = static_cast<int>(
       control.at("courant_refresh", Courant::usual_refresh).integer(1, std::numeric_limits<int>::max()));
   return checked(control.at("courant"), [&] {
-    const auto [safety, omega] = *courant;
-    require_courant(safety, courant_limit(law, velocity, omega, common_damping(system)));
-    return std::make_unique<Courant>(std::move(inner), safety, system, law, velocity, refresh);
+    return std::make_unique<Courant>(std::move(inner), *courant, system, law, velocity, refresh);
   });
 }
 

@@ -124,7 +124,13 @@ std::string scene_page() {
          "## Controls of Taylor's methods\n\nHow far a step goes. Each takes `courant` too: a fraction of "
          "the stability limit of springs and solids, > 0 and <= 1, that no step exceeds; of solids it is "
          "that of their state, "
-         "found anew every `courant_refresh` steps.\n\n" +
+         "found anew every `courant_refresh` steps. Drag and viscosity count. With viscosity the limit is "
+         "one for "
+         "modes that are damped as much as any and as little as the least, so that it may be half of what a "
+         "body "
+         "allows whose damping_time is one for all, and a degree that needs damping (2, 5, 6, 9, 10, ..) "
+         "still "
+         "needs a drag on all particles; `velocity` must be `own_series`.\n\n" +
          sections(control_records()) +
          "## Laws of random degrees\n\n`integrator.law` of `random_taylor`: where a series stops.\n\n" +
          sections(law_records()) + below;

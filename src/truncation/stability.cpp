@@ -245,13 +245,13 @@ double growth(const TruncationLaw& law, Growth of, VelocitySeries velocity, cons
   return std::max(growth(law, of, -h * fast), growth(law, of, -h * frequency * (frequency / fast)));
 }
 
-double stability_limit(const TruncationLaw& law, Growth of, std::complex<double> direction) {
+double stability_limit(const TruncationLaw& law, Growth of, std::complex<double> direction, double stride) {
   const double size = std::abs(direction);
   if (!(size > 0) || !std::isfinite(size) || direction.real() > 0)
     throw std::invalid_argument(
         "stability_limit: the direction must not be 0 nor to the right of the imaginary axis");
   direction = {direction.real() / size, direction.imag() / size};
-  return first_exit(0x1p-8, [&](double r) { return growth(law, of, r * direction) <= 0; });
+  return first_exit(stride, [&](double r) { return growth(law, of, r * direction) <= 0; });
 }
 
 double stability_limit(const TruncationLaw& law, Growth of, VelocitySeries velocity,

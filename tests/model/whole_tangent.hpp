@@ -9,13 +9,14 @@
 
 namespace jetlag::testing {
 
-/// K = -dF/dx [N/m] at a state, of all coordinates particle * dimension + component.
-inline Eigen::MatrixXd whole_tangent(const Model<double>& model, const State<double>& state) {
+/// K = -dF/dx [N/m], or C = -dF/dv [N s/m], at a state, of all coordinates particle * dimension + component.
+inline Eigen::MatrixXd whole_tangent(const Model<double>& model, const State<double>& state,
+                                     Input::Kind by = Input::Kind::position) {
   const int d = model.dimension(), n = model.particles() * d;
   Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(n, n);
   for (const auto& law : model.laws()) {
     ElementTangents tangents(law);
-    tangents.take(state);
+    tangents.take(state, by);
     for (const int e : law->all()) {
       const auto particles = law->particles_of(e);
       for (int row = 0; row < tangents.size(); ++row)

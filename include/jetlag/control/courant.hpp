@@ -3,17 +3,21 @@
 // The Courant limit: no step beyond what is stable for the stiffest oscillation of a scene.
 
 #include <map>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "jetlag/control/control.hpp"
+#include "jetlag/control/damping_bound.hpp"
 #include "jetlag/control/frequency_bound.hpp"
 #include "jetlag/model/model.hpp"
 #include "jetlag/truncation/stability.hpp"
+#include "jetlag/truncation/stable_rays.hpp"
 
 namespace jetlag {
 
 /// The rate c / m [1/s] at which laws with a damping c slow every particle that is not fixed, if it is the same for all of
-/// them: then each oscillation is q'' = -omega^2 q - (c/m) q'. Otherwise 0, on the safe side.
+/// them: then each oscillation is q'' = -omega^2 q - (c/m) q'. Otherwise 0.
 double common_damping(const Model<double>& model);
 
 /// The Courant limit omega h [1]: how long a step may be for all oscillations of frequencies up to omega [rad/s] and of
@@ -26,37 +30,56 @@ void require_courant(double safety, double limit);
 /// How much a bound that is of one state is raised, for what grows until it is taken anew.
 constexpr double courant_growth = 1.05;
 
-/// safety * limit / omega [s] for each of some frequencies omega [rad/s], infinity for 0. Limits of damped oscillations take
-/// long to find: they are found for octaves of frequencies below the fastest, and kept while that grows or falls little.
+/// safety * h [s] for each of some modes, h the largest stable step: infinity where nothing bounds it. Where all particles
+/// that are not fixed are slowed alike h is limit / omega; otherwise that of StableRays, from the least damping of all to a
+/// bound of it. With velocities from the derivative dampings that are not alike are not counted.
+///
+/// Limits where all are slowed alike take long to find: they are found for octaves of frequencies below the fastest, and kept
+/// while that grows or falls little.
 class CourantSteps {
  public:
+  /// Throws std::invalid_argument for forces whose damping is that of a state with velocities from the derivative: the matrix
+  /// of such a step is no polynomial of that of the motion, and nothing is known of modes that are not common to all forces.
   CourantSteps(const Model<double>& model, const TruncationLaw& law, VelocitySeries velocity, double safety);
 
+  /// omega [rad/s] and damping [1/s]: bounds, of one shape; those of a state are raised by courant_growth.
   /// Throws std::invalid_argument as require_courant.
-  std::vector<double> operator()(const std::vector<double>& omega);
+  std::vector<double> operator()(const std::vector<double>& omega, const std::vector<double>& damping);
+
+  /// Throws std::invalid_argument where no modes at all have a stable step.
+  void require_stable();
 
  private:
+  bool is_damped() const { return least_ > 0; }
+
   TruncationLaw law_;
   VelocitySeries velocity_;
-  double damping_, safety_, growth_, fastest_ = 0;
-  std::map<int, double> limits_;  // by octave below the fastest
+  double least_, safety_, growth_, growth_of_damping_, fastest_ = 0;
+  std::map<int, double> limits_;    // by octave below the fastest
+  std::optional<StableRays> rays_;  // where not all are slowed alike
 };
 
-/// safety * limit / omega for each particle by its own bound of the frequency, infinity where it has none [s]: for clocks of
-/// their own. It presumes that a neighbourhood oscillates as if all of it took such steps. Shape (particles).
+/// safety * h for each particle by its own bounds, infinity where it has none [s]: for clocks of their own. It presumes that a
+/// neighbourhood oscillates as if all of it took such steps. Shape (particles).
 /// Throws std::invalid_argument as require_courant and require_bounded.
 std::vector<double> courant_steps_of_particles(const Model<double>& model, const TruncationLaw& law,
                                                VelocitySeries velocity, double safety);
 
 /// The same at a state, for all laws; bounds that are of this state alone are raised by courant_growth.
-/// Throws std::invalid_argument as require_courant and frequency_bounds at a state.
+/// Throws std::invalid_argument as require_courant and courant_step at a state.
 std::vector<double> courant_steps_of_particles(const Model<double>& model, const State<double>& state,
                                                const TruncationLaw& law, VelocitySeries velocity,
                                                double safety);
 
-/// Another control, cropped at  safety * limit / omega.
+/// safety * h by the bounds of all at a state [s], infinity where nothing bounds it.
+/// Throws std::invalid_argument as CourantSteps, require_finite_tangents and require_damping.
+double courant_step(const Model<double>& model, const State<double>& state, const TruncationLaw& law,
+                    VelocitySeries velocity, double safety);
+
+/// Another control, cropped at  safety * limit / omega, or where forces damp otherwise than drag at what CourantSteps says.
 ///
-/// Where laws have no stiffness, omega is a bound of the present state, times courant_growth. It is taken at the first step
+/// Where laws have no stiffness, or act on velocities without a damping, the bounds are those of the present state, times
+/// courant_growth. They are taken at the first step
 /// and again every `refresh` steps, by the tangents of all elements. Five steps of a power iteration, warm, would cost a
 /// third; they would be an estimate from below, which does not see what stiffens elsewhere.
 class Courant final : public Control {

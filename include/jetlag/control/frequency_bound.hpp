@@ -33,6 +33,8 @@
 
 namespace jetlag {
 
+class ElementBounds;
+
 /// An upper bound of the fastest angular frequency [rad/s] that the elements with a stiffness can have in any state. 0 when
 /// no law of the system has one. What the others do is not bounded: see require_bounded.
 double frequency_bound(const Model<double>& model);
@@ -42,9 +44,13 @@ double frequency_bound(const Model<double>& model);
 std::vector<double> frequency_bounds(const Model<double>& model);
 
 /// The same of all laws that are not `unbounded`, at a state. That of above where `bounds_need_state` is false.
-/// Throws std::invalid_argument naming a law whose tangent is not finite there.
+/// Throws std::invalid_argument naming a law whose tangent is not finite there, or one that reads velocities too and says no
+/// damping: for methods that count no damping.
 double frequency_bound(const Model<double>& model, const State<double>& state);
 std::vector<double> frequency_bounds(const Model<double>& model, const State<double>& state);
+
+/// Throws std::invalid_argument naming a law whose tangent is not finite at a state.
+void require_finite_tangents(const Model<double>& model, const State<double>& state);
 
 /// omega_e of each element [rad/s]; 0 of those that bound no step. One list for each law of the model.
 /// Throws std::invalid_argument as above.
@@ -63,7 +69,8 @@ std::string unbounded_force(const Model<double>& model);
 void require_bounded(const Model<double>& model);
 
 /// frequency_bound at one state after another, each by tangents alone and with few eigenvalues: the weights are those of the
-/// first state, scaled with the norms of the tangents since. One that is not finite is returned as such.
+/// first state, scaled with the norms of the tangents since. One that is not finite is returned as such. Of laws that read
+/// velocities too, the tangents by positions count, at the velocities of the state.
 class FrequencyMeter {
  public:
   explicit FrequencyMeter(const Model<double>& model);
@@ -77,12 +84,8 @@ class FrequencyMeter {
   /// element stays while it still is a bound and its tangent has not become less by a fifth; found anew it is raised by 2.5 %.
   std::vector<double> of_particles(const State<double>& state);
 
-  /// What bounds of a state are made of. Throws std::invalid_argument where a tangent is not finite.
-  class Elements;
-  static Elements at(const Model<double>& model, const State<double>& state);
-
  private:
-  std::unique_ptr<Elements> elements_;
+  std::unique_ptr<ElementBounds> elements_;
 };
 
 }  // namespace jetlag

@@ -46,9 +46,10 @@ double growth(const TruncationLaw& law, Growth of, VelocitySeries velocity, cons
               double h);
 
 /// The largest r such that all z = s direction / |direction|, 0 < s <= r, are stable: the first exit from 0, to the
-/// rounding of double. Found by strides of 1/256: 0 where it is shorter than one; an exit and return within one is not
-/// seen. direction: not 0 and not to the right of the imaginary axis. Throws std::invalid_argument.
-double stability_limit(const TruncationLaw& law, Growth of, std::complex<double> direction);
+/// rounding of double. Found by strides, of 1/256 where none is given: 0 where it is shorter than one; an exit and return
+/// within one is not seen. direction: not 0 and not to the right of the imaginary axis. Throws std::invalid_argument.
+double stability_limit(const TruncationLaw& law, Growth of, std::complex<double> direction,
+                       double stride = 0x1p-8);
 
 /// The largest step [s] of that kind for an oscillator; strides of 1/256 of its faster time, 1 / max(frequency, damping).
 double stability_limit(const TruncationLaw& law, Growth of, VelocitySeries velocity,

@@ -86,7 +86,7 @@ SceneKeys elastic_keys() {
       {"damping_time",
        "[s], >= 0, of Kelvin and Voigt's viscosity: this times the elastic constants; a vibration of "
        "frequency w has "
-       "the damping ratio w times half of it. One for all or one for each",
+       "the damping ratio w times half of it. `control.courant` counts it. One for all or one for each",
        "0"},
       {"viscosity", "`{\"bulk_like\": lambda, \"shear\": mu}` [Pa s], in place of damping_time", "none"}};
 }

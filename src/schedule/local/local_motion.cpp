@@ -39,28 +39,31 @@ LocalMotion::LocalMotion(const Model<double>& model, const TruncationLaw& law, c
   if (options_.courant == 0) return;
   stable_.emplace(model, law, options_.velocity, options_.courant);
   frequency_.emplace();
-  if (bounds_need_state(model)) {
+  if (bounds_need_state(model) || damping_needs_state(model)) {
     meter_.emplace(model);
+    damping_meter_.emplace(model);
   } else {
     require_bounded(model);
-    limit_steps(frequency_bounds(model));
+    limit_steps(frequency_bounds(model), damping_bounds(model));
   }
 }
 
-void LocalMotion::limit_steps(const std::vector<double>& bounds) {
-  const std::vector<double> stable = (*stable_)(bounds);
+void LocalMotion::limit_steps(const std::vector<double>& frequencies, const std::vector<double>& dampings) {
+  const std::vector<double> stable = (*stable_)(frequencies, dampings);
   for (std::size_t i = 0; i < stable.size(); ++i) longest_[i] = std::min(options_.max_step, stable[i]);
-  frequency_->bound = bounds.empty() ? 0.0 : *std::ranges::max_element(bounds);
+  frequency_->bound = frequencies.empty() ? 0.0 : *std::ranges::max_element(frequencies);
 }
 
 /// A state whose tangents are not finite leaves the limits as they are.
 bool LocalMotion::refresh_limits(Count now, Report& report) {
   if (!meter_ || work_.updates < next_limits_) return true;
   next_limits_ = work_.updates + Courant::usual_refresh * moving_.size();
-  const std::vector<double> bounds = meter_->of_particles(at_tick(now));
-  if (bounds.empty()) return true;
+  const State<double> state = at_tick(now);
+  const std::vector<double> frequencies = meter_->of_particles(state),
+                            dampings = damping_meter_->of_particles(state);
+  if (frequencies.empty() || dampings.empty()) return true;
   try {
-    limit_steps(bounds);
+    limit_steps(frequencies, dampings);
   } catch (const std::invalid_argument& no_step) {
     report = {Outcome::step_underflow, "at t = " + shown(ticks_.time(now)) + ": " + no_step.what(), -1};
     return false;
@@ -73,9 +76,12 @@ bool LocalMotion::refresh_limits(Count now, Report& report) {
 void LocalMotion::begin(const State<double>& state, const Ticks& ticks) {
   all_.start(state);  // throws what is to be thrown
   if (meter_) {
+    require_damping(model_, state);
     meter_.emplace(model_);
-    const std::vector<double> bounds = meter_->of_particles(state);
-    limit_steps(bounds.empty() ? frequency_bounds(model_, state) : bounds);  // which says what is not finite
+    damping_meter_.emplace(model_);
+    const std::vector<double> frequencies = meter_->of_particles(state);
+    if (frequencies.empty()) require_finite_tangents(model_, state);  // says which is not
+    limit_steps(frequencies, damping_meter_->of_particles(state));
     next_limits_ = work_.updates + Courant::usual_refresh * moving_.size();
   }
   to_kinks_.kinks().forget();

@@ -165,8 +165,8 @@ class LocalMotion {
   bool agrees(int particle, double time, double s, const double* c_2, Report& report) const;
   void publish(int particle, Count now, std::uint64_t group);
   void count(std::size_t updated);
-  /// No step of a particle is longer than the Courant limit by these bounds of frequencies [rad/s].
-  void limit_steps(const std::vector<double>& bounds);
+  /// No step of a particle is longer than the Courant limit by these bounds of frequencies [rad/s] and dampings [1/s].
+  void limit_steps(const std::vector<double>& frequencies, const std::vector<double>& dampings);
   void find_levels();
   bool refresh_limits(Count now, Report& report);
 
@@ -181,6 +181,7 @@ class LocalMotion {
   std::vector<int> coarsest_;    // level that is no longer than that
   std::optional<CourantSteps> stable_;
   std::optional<FrequencyMeter> meter_;        // where limits are of states
+  std::optional<DampingMeter> damping_meter_;  // likewise
   std::uint64_t next_limits_ = 0;              // updates after which they are taken anew
   std::optional<CourantFrequency> frequency_;  // of the limits, where there are any
   std::vector<LastTwoAllows> allowed_;         // steps, by level; those that have been asked for

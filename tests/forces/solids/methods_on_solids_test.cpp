@@ -102,6 +102,42 @@ TEST(ClocksOnSolids, KeepTheirAccuracy) {
             1e-4);
 }
 
+/// The scene `beam`, whose material is viscous, by steps of a fraction of its limit.
+RunResult beam_by(std::vector<std::string> settings) {
+  settings.insert(settings.end(), {"until=0.02", "output.frames=1",
+                                   R"(control={"type": "fixed", "step": 1, "courant": 0.9})"});
+  return run_scene(load_scene("beam", settings));
+}
+
+TEST(ViscousSolids, TakeStepsOfTheirLimit) {
+  const std::string block = R"(schedule={"type": "block", "tolerance": 1})";
+  const RunResult truth =
+      run_scene(load_scene("beam", {"until=0.02", "output.frames=1", "control.step=1e-4"}));
+  for (const std::vector<std::string>& clocks : {std::vector<std::string>{}, {block}}) {
+    std::vector<std::string> settings{"integrator.degree=4"};
+    settings.insert(settings.end(), clocks.begin(), clocks.end());
+    const RunResult result = beam_by(settings);
+    EXPECT_EQ(result.summary.outcome, Outcome::success) << result.summary.message;
+    EXPECT_GT(result.summary.frequency.value().bound,
+              100);  // sqrt(E / rho) over a cell of 0.1 m is 200 rad/s
+    // Of 2e-3 m that it falls.
+    EXPECT_LT((result.summary.position - truth.summary.position).cwiseAbs().maxCoeff(), 1e-5);
+  }
+}
+
+TEST(ViscousSolids, AreRefusedWhereNothingIsKnown) {
+  EXPECT_THAT([] { beam_by({}); },
+              ThrowsMessage<SceneError>(HasSubstr("unstable for undamped")));  // degree 6
+  EXPECT_THAT(
+      [] {
+        beam_by(
+            {R"(integrator={"type": "random_taylor", "min_degree": 4, "max_degree": 4, "velocity": "derivative"})"});
+      },
+      ThrowsMessage<SceneError>(HasSubstr("velocities of their own series only")));
+  EXPECT_THAT([] { beam_by({R"(integrator={"type": "leapfrog"})"}); },
+              ThrowsMessage<SceneError>(HasSubstr("kelvin_voigt depends on velocities")));
+}
+
 TEST(ClocksOnSolids, OfQuantaAreRefused) {
   EXPECT_THAT([] { bar_by({R"(integrator={"type": "qss2"})", R"(control={"quantum": 1e-4})"}); },
               ThrowsMessage<SceneError>(HasSubstr("neo_hookean acts on 4")));

@@ -80,8 +80,8 @@ void read_steps(const Value& scene, const Value& schedule, const System<double>&
       tolerance = control->at("tolerance").number(positive);
       options.max_step = read_max_step(*control);
     }
-    if (const auto courant = read_courant(*control, system, start)) {
-      options.courant = courant->first;
+    if (const auto courant = read_courant_of_series(*control, system, start, law, options.velocity)) {
+      options.courant = *courant;
       checked(control->at("courant"), [&] {
         return courant_steps_of_particles(system, start, law, options.velocity, options.courant);
       });
