@@ -39,7 +39,7 @@ Piece FirstOrderIntegrator::piece() const {
     Coordinates<double> row(size_, 1);
     for (int i = 0; i < size_; ++i) row(i, 0) = c[i][k];
     if (k > 0) piece.velocity.push_back(static_cast<double>(k) / unit * row);
-    piece.position.push_back(std::move(row));
+    piece.position.push_back(row);
   }
   if (piece.velocity.empty()) piece.velocity.push_back(Coordinates<double>::Zero(size_, 1));
   return piece;

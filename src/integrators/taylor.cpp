@@ -353,6 +353,10 @@ Piece RandomTaylor::piece() const {
   Piece piece{expansion().time(), expansion().time() + last_step_, {}, {}, expansion().time_unit()};
   const bool derivative = options_.velocity == VelocitySeries::derivative;
   const int top = stops().largest_degree();
+  if (stops().shared() && !derivative) {
+    expansion().weighted_series(top, series_.weights(0), piece.position, piece.velocity);
+    return piece;
+  }
   // Term n of each particle with the weight of its draw, none beyond its degree.
   const auto weighted = [&](int n, Coordinates<double> c) {
     if (stops().shared()) return Coordinates<double>(series_.weights(0)[n] * c);
@@ -366,7 +370,7 @@ Piece RandomTaylor::piece() const {
       piece.velocity.push_back(weighted(n, expansion().velocity(n)));
     else if (n > 0)
       piece.velocity.push_back(n / expansion().time_unit() * x);
-    piece.position.push_back(std::move(x));
+    piece.position.push_back(x);
   }
   if (piece.velocity.empty())
     piece.velocity.push_back(0.0 * expansion().velocity(0));  // K = 0 and `derivative`

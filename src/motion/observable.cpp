@@ -14,7 +14,8 @@ namespace jetlag {
 
 namespace {
 
-double entry(const Coordinates<double>& rows, const Input& input) {
+template <class Rows>
+double entry(const Rows& rows, const Input& input) {
   return rows(input.participant, input.component);
 }
 
@@ -57,6 +58,55 @@ void Observable::require_fit(const std::string& who, int particles, int dimensio
 ObservableSeries::ObservableSeries(const Observable& g)
     : blocks_(Program(g.tape()), 1, {}, scalar_kernels<double>()) {
   blocks_.reserve(1);
+  find_linear_terms();
+}
+
+/// Where no rule reads older coefficients and nothing is chosen, g is linear. Coefficient 1 where that of one input is 1 is the
+/// weight of this input; the constant has no part in it.
+void ObservableSeries::find_linear_terms() {
+  const Program& program = blocks_.program();
+  is_linear_ = program.histories == 0 && program.conditions.empty() && !program.is_static;
+  if (!is_linear_) return;
+  for (const auto& loaded : program.inputs) *blocks_.at(0, loaded.place, 0) = 0.0;
+  blocks_.run(0, 0);
+  constant_ = coefficient(0);
+  blocks_.reserve(2);
+  for (const auto& loaded : program.inputs) *blocks_.at(0, loaded.place, 1) = 0.0;
+  for (const auto& [place, input] : program.inputs) {
+    *blocks_.at(0, place, 1) = 1.0;
+    blocks_.run(0, 1);
+    terms_.push_back({input, coefficient(1)});
+    *blocks_.at(0, place, 1) = 0.0;
+  }
+}
+
+int ObservableSeries::sign_along(const Piece& piece) const {
+  if (!is_linear_ || piece.unit != 1) return 0;
+  const double h = time_between(piece.begin, piece.end);
+  double first = constant_, sizes = std::abs(constant_);
+  const auto add = [&](double term) {
+    first += term;
+    sizes += std::abs(term);
+  };
+  for (const auto& [input, weight] : terms_)
+    add(weight * (input.kind == Input::Kind::time       ? piece.begin
+                  : input.kind == Input::Kind::position ? entry(piece.position[0], input)
+                                                        : entry(piece.velocity[0], input)));
+  double rest = 0;
+  for (std::size_t k = std::max(piece.position.size(), piece.velocity.size()); k-- > 1;) {
+    double c = 0;
+    for (const auto& [input, weight] : terms_) {
+      if (input.kind == Input::Kind::time) {
+        if (k == 1) c += weight;
+        continue;
+      }
+      const Coefficients& series = input.kind == Input::Kind::position ? piece.position : piece.velocity;
+      if (k < series.size()) c += weight * entry(series[k], input);
+    }
+    rest = (rest + std::abs(c)) * h;
+  }
+  const bool outweighs = std::abs(first) > 1.001 * rest && std::abs(first) > 0x1p-40 * sizes;
+  return outweighs ? sign(first) : 0;
 }
 
 double ObservableSeries::coefficient(int k) {
@@ -335,7 +385,8 @@ std::vector<Crossing> crossings(std::span<LocalSeries> series, int before) {
 }
 
 std::vector<Crossing> crossings(const Piece& piece, const Observable& g) {
-  const Coordinates<double>& x = piece.position.at(0);
+  if (piece.position.empty()) throw std::invalid_argument("crossings: a piece without coefficients");
+  const auto x = piece.position.front();
   g.require_fit("the observable", static_cast<int>(x.rows()), static_cast<int>(x.cols()));
   std::vector<LocalSeries> series = ObservableSeries(g).along(piece);
   for (const LocalSeries& part : series)

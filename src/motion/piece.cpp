@@ -5,17 +5,28 @@ namespace jetlag {
 
 namespace {
 
-Coordinates<double> horner(const std::vector<Coordinates<double>>& c, double s) {
-  Coordinates<double> sum = c.back();
-  for (std::size_t k = c.size() - 1; k-- > 0;) sum = sum * s + c[k];
-  return sum;
+void horner(const Coefficients& c, double s, Coordinates<double>& sum) {
+  sum = c.back();
+  for (std::size_t k = c.size() - 1; k-- > 0;) {
+    const double* next = c.data(k);
+    for (Eigen::Index i = 0; i < sum.size(); ++i) sum.data()[i] = sum.data()[i] * s + next[i];
+  }
 }
 
 }  // namespace
 
-State<double> Piece::at(double t) const {
+void Piece::at(double t, State<double>& into) const {
   const double s = (t - begin) / unit;
-  return {t, horner(position, s), horner(velocity, s)};
+  into.time = t;
+  horner(position, s, into.position);
+  horner(velocity, s, into.velocity);
+  into.drop_rests();
+}
+
+State<double> Piece::at(double t) const {
+  State<double> state;
+  at(t, state);
+  return state;
 }
 
 Piece Piece::about(double t) const {

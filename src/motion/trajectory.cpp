@@ -14,9 +14,12 @@ namespace {
 [[noreturn]] void refuse(const std::string& why) { throw std::invalid_argument("Trajectory: " + why); }
 
 /// One row of a polynomial, by Horner's rule.
-Eigen::RowVectorXd horner(const std::vector<Coordinates<double>>& c, int row, double s) {
+Eigen::RowVectorXd horner(const Coefficients& c, int row, double s) {
   Eigen::RowVectorXd sum = c.back().row(row);
-  for (std::size_t k = c.size() - 1; k-- > 0;) sum = sum * s + c[k].row(row);
+  for (std::size_t k = c.size() - 1; k-- > 0;) {
+    const double* next = c.data(k) + static_cast<std::size_t>(row) * c.dimension();
+    for (int i = 0; i < c.dimension(); ++i) sum[i] = sum[i] * s + next[i];
+  }
   return sum;
 }
 
@@ -34,7 +37,7 @@ void Trajectory::add(Piece piece) {
   if (!(piece.begin <= piece.end))
     refuse("a piece from " + number(piece.begin) + " to " + number(piece.end) + " ends before it begins");
   if (!empty()) {
-    const Coordinates<double>&known = pieces_.back().position.front(), &x = piece.position.front();
+    const auto known = pieces_.back().position.front(), x = piece.position.front();
     if (piece.begin != end())
       refuse("a piece begins at " + number(piece.begin) + ", the last one ends at " + number(end()));
     if (x.rows() != known.rows() || x.cols() != known.cols())
@@ -72,12 +75,7 @@ Eigen::RowVectorXd Trajectory::velocity(int particle, double t) const {
 
 std::size_t Trajectory::bytes() const {
   std::size_t total = pieces_.capacity() * sizeof(Piece);
-  for (const Piece& piece : pieces_)
-    for (const auto* series : {&piece.position, &piece.velocity}) {
-      total += series->capacity() * sizeof(Coordinates<double>);
-      for (const auto& coefficient : *series)
-        total += static_cast<std::size_t>(coefficient.size()) * sizeof(double);
-    }
+  for (const Piece& piece : pieces_) total += piece.position.bytes() + piece.velocity.bytes();
   return total;
 }
 

@@ -52,6 +52,15 @@ EventWatch::EventWatch(const RunOptions& options, const State<double>& start) : 
 
 // ---- one event in one step --------------------------------------------------------------------------------
 
+bool EventWatch::Watched::keeps_sign(const Piece& piece, const State<double>& state) {
+  if (on_event) return false;
+  const int all_along = g.sign_along(piece);
+  if (all_along == 0 || (before != 0 && before != all_along) || sign(g(state)) != all_along) return false;
+  before = side = all_along;
+  stays = false;
+  return true;
+}
+
 bool EventWatch::Watched::counts(const Crossing& at) const {
   return event.direction == Direction::any || at.rising == (event.direction == Direction::rising);
 }
@@ -209,6 +218,10 @@ void EventWatch::change(const std::vector<Hit>& hits, State<double>& state) {
 
 Report EventWatch::look(Piece piece, State<double>& state) {
   piece.end = state.time;
+  if (std::ranges::all_of(events_, [&](Watched& watched) { return watched.keeps_sign(piece, state); })) {
+    instants_ = 0;
+    return {};
+  }
   const auto fail = [&](Outcome outcome, const std::string& message) -> Report {
     state = piece.at(piece.begin);
     return {outcome, message, -1};

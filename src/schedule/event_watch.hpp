@@ -44,6 +44,8 @@ class EventWatch {
     int before = 0;                     // at the beginning, where g is zero: the sign that it has had last
     bool stays = false;                 // whether g stays at zero there, as far as is known
 
+    /// Whether it is sure at a glance that g keeps its sign, which is taken along.
+    bool keeps_sign(const Piece& piece, const State<double>& state);
     bool counts(const Crossing& at) const;
     bool leaves() const { return event.terminal || event.change; }
     const LocalSeries& series_at(double t) const;

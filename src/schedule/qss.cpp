@@ -109,9 +109,8 @@ State<double> Qss::at(double time) const {
 }
 
 Piece Qss::piece(double begin, double end) const {
-  Piece piece{begin, end, {}, {}};
-  for (auto* series : {&piece.position, &piece.velocity})
-    series->assign(options_.order + 1, Coordinates<double>::Zero(particles_, dimension_));
+  const Coefficients zeros(options_.order + 1, particles_, dimension_);
+  Piece piece{begin, end, zeros, zeros};
   for (int i = 0; i < particles_; ++i)
     for (int c = 0; c < dimension_; ++c)
       for (int kind = 0; kind < 2; ++kind) {

@@ -35,8 +35,8 @@ Piece piece_of(const Problem& scene, int degree, double h) {
   series.grow_to(degree + 1);
   Piece piece{scene.start.time, scene.start.time + h, {}, {}};
   for (int k = 0; k <= degree; ++k) {
-    piece.position.emplace_back(series.position(k));
-    piece.velocity.emplace_back(series.velocity(k));
+    piece.position.push_back(series.position(k));
+    piece.velocity.push_back(series.velocity(k));
   }
   return piece;
 }
@@ -68,6 +68,51 @@ TEST(Observable, RefusesAPieceThatDoesNotCountSeconds) {
   Piece piece = polynomial(0.0, 1.0, {-1.0, 2.0});
   piece.unit = 0x1p-60;
   EXPECT_THROW(crossings(piece, Observable(position)), std::invalid_argument);
+}
+
+TEST(Observable, TellsTheSignOfALinearFunctionAllAlong) {
+  // g = 3 - 2 t + t^2 / 2 on [0, 1] keeps its sign, and its first term outweighs the others, 3 > 2 + 1/2. On [0, 1.5] it is
+  // still positive, but 3 < 3 + 9/8; where time is taken off, g = 3 - 4 t + .., it does not.
+  const auto sign_of = [](const auto& g, double end) {
+    return ObservableSeries(Observable(g)).sign_along(polynomial(0.0, end, {3.0, -2.0, 0.5}));
+  };
+  const auto x = [](const auto&, const auto& position, const auto&) { return position(0, 0); };
+  EXPECT_EQ(sign_of(x, 1.0), 1);
+  EXPECT_EQ(sign_of([](const auto&, const auto& p, const auto&) { return 1.0 - 2.0 * p(0, 0); }, 0.5), -1);
+  EXPECT_EQ(sign_of(x, 1.5), 0);
+  EXPECT_EQ(sign_of([](const auto& t, const auto& p, const auto&) { return p(0, 0) - 2.0 * t; }, 1.0), 0);
+  EXPECT_EQ(
+      sign_of([](const auto& t, const auto& p, const auto& v) { return p(0, 0) + t / 2.0 - v(0, 0); }, 1.0),
+      1);
+  EXPECT_EQ(sign_of([](const auto&, const auto& p, const auto&) { return p(0, 0) * p(0, 0); }, 0.1), 0)
+      << "not linear";
+  EXPECT_EQ(sign_of([](const auto&, const auto& p, const auto&) { return abs(p(0, 0)); }, 0.1), 0)
+      << "a choice";
+}
+
+TEST(Observable, WeighsItsInputsWhateverItsConstantIs) {
+  // g = .6 x + .8 y - 1e8 at y = 8e7 + .. comes down to -.2 within the step and is .3 at both ends: weights that are rounded to
+  // the places of 1e8 are off by up to 7e-9, which is .6 in g.
+  Piece piece{0.0, 1.0};
+  piece.position.push_back(Coordinates<double>{{6e7 + 0.5, 8e7}});
+  piece.position.push_back(Coordinates<double>{{0.0, -2.5}});
+  piece.position.push_back(Coordinates<double>{{0.0, 2.5}});
+  piece.velocity.push_back(Coordinates<double>{{0.0, -2.5}});
+  piece.velocity.push_back(Coordinates<double>{{0.0, 5.0}});
+  ObservableSeries g(
+      [](const auto&, const auto& x, const auto&) { return 0.6 * x(0, 0) + 0.8 * x(0, 1) - 1e8; });
+  EXPECT_EQ(g.sign_along(piece), 0);
+  // With 1e17 beside them, x moves g all the same.
+  ObservableSeries far([](const auto&, const auto& x, const auto&) { return 3.0 * x(0, 1) - 1e17; });
+  piece.position[0](0, 1) = 1e17;
+  piece.position[1](0, 1) = -3e17;
+  EXPECT_EQ(far.sign_along(piece), 0);
+}
+
+TEST(Observable, TellsNoSignWhereRoundingMayHaveMadeIt) {
+  const Piece piece = polynomial(0.0, 1.0, {1.0, 0x1p-70});
+  ObservableSeries g([](const auto&, const auto& x, const auto&) { return 0x1p50 * x(0, 0) - (0x1p50 - 1); });
+  EXPECT_EQ(g.sign_along(piece), 0);
 }
 
 TEST(Observable, IsAFunctionOfTheState) {

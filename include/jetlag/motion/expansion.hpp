@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <concepts>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -31,6 +32,7 @@
 #include "jetlag/base/workers.hpp"
 #include "jetlag/model/model.hpp"
 #include "jetlag/motion/coefficient_view.hpp"
+#include "jetlag/motion/coefficients.hpp"
 #include "jetlag/motion/unrolled_motion.hpp"
 #include "jetlag/motion/wavefront.hpp"
 #include "jetlag/series/calculus/row_sums.hpp"
@@ -88,6 +90,10 @@ class Expansion {
   /// w: the weights of the terms 0 .. last. into: shape (particles, dimension).
   void position_sum(int first, int last, const T* w, const T& s, Coordinates<T>& into) const;
   void velocity_sum(int first, int last, const T* w, const T& s, Coordinates<T>& into) const;
+
+  /// Terms w_n c_n of the positions and the velocities up to order last < order().
+  void weighted_series(int last, const T* w, Coefficients& position, Coefficients& velocity) const
+    requires std::same_as<T, double>;
 
   /// A bound of how far each particle goes from a straight line: sum_{n=2..last} |c_n| s^n, |.| the sum of the components
   /// of the positions' coefficients.   into: shape (particles).

@@ -142,6 +142,21 @@ void Expansion<T>::velocity_sum(int first, int last, const T* w, const T& s, Coo
 }
 
 template <class T>
+void Expansion<T>::weighted_series(int last, const T* w, Coefficients& position, Coefficients& velocity) const
+  requires std::same_as<T, double>
+{
+  for (auto* terms : {&position, &velocity}) {
+    const AlignedVector<T>& series = terms == &position ? x_ : v_;
+    *terms = Coefficients(last + 1, particles_, dimension_);
+    for (int n = 0; n <= last; ++n)
+      detail::for_components(
+          particles_, dimension_,
+          [to = terms->data(n), from = series.data() + n * row_size(), weight = w[n], d = dimension_,
+           stride = stride_](std::size_t i, int c) { to[i * d + c] = weight * from[i * stride + c]; });
+  }
+}
+
+template <class T>
 void Expansion<T>::curve(int last, const T& s, std::vector<T>& into) const {
   using std::abs;
   constexpr std::size_t width = 8;

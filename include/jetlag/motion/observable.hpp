@@ -86,7 +86,18 @@ class ObservableSeries {
   /// Throws std::invalid_argument for a piece whose unit of time is not 1 s.
   std::vector<LocalSeries> along(const Piece& piece);
 
+  /// The sign of g all along a piece where g is linear and its first term outweighs the others by more than rounding,
+  /// |c_0| > sum_{k>0} |c_k| h^k; 0 where that does not tell.
+  int sign_along(const Piece& piece) const;
+
  private:
+  /// What a linear g reads: g = constant + sum of weight times input.
+  struct Term {
+    Input input;
+    double weight;
+  };
+  void find_linear_terms();
+
   using Rows = std::vector<std::vector<double>>;  // the polynomial of each input
   /// The motion of the inputs from a time on.
   struct Course {
@@ -106,6 +117,9 @@ class ObservableSeries {
 
   Blocks<double> blocks_;
   int orders_ = 0;  // of the last expansion
+  bool is_linear_ = false;
+  double constant_ = 0;
+  std::vector<Term> terms_;  // of a linear g
 };
 
 /// A time at which an observable changes sign.

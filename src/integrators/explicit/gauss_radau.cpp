@@ -211,10 +211,12 @@ double GaussRadau::advance(const State<double>& from, double limit, State<double
 }
 
 Piece GaussRadau::piece() const {
-  Piece piece{before().time,
-              before().time + length(),
-              {before().position, before().velocity, 0.5 * a_},
-              {before().velocity, a_}};
+  Piece piece{before().time, before().time + length()};
+  piece.position.push_back(before().position);
+  piece.position.push_back(before().velocity);
+  piece.position.push_back(0.5 * a_);
+  piece.velocity.push_back(before().velocity);
+  piece.velocity.push_back(a_);
   double power = 1;
   for (int k = 0; k < degree; ++k) {
     power *= length();

@@ -46,7 +46,7 @@ double Conrad::step(State<double>& state, double limit, Report& report) {
 Piece Conrad::piece() const {
   Piece piece = inner_->piece();
   const double rate = piece.unit / last_step_;
-  const auto add = [rate](std::vector<Coordinates<double>>& series, const Coordinates<double>& noise) {
+  const auto add = [rate](Coefficients& series, const Coordinates<double>& noise) {
     if (series.size() < 2)
       series.push_back(rate * noise);
     else

@@ -41,8 +41,8 @@ Piece RandomStep::piece() const {
   piece.end = piece.begin + last_step_;
   for (auto* series : {&piece.position, &piece.velocity}) {
     double power = 1;
-    for (Coordinates<double>& c : *series) {
-      c *= power;
+    for (std::size_t k = 0; k < series->size(); ++k) {
+      (*series)[k] *= power;
       power *= stretch;
     }
   }

@@ -152,11 +152,10 @@ State<double> LocalMotion::at_tick(Count now) const {
 }
 
 Piece LocalMotion::piece_about(double begin, double end, const std::function<double(int)>& since) const {
-  const auto particles = static_cast<Eigen::Index>(begin_.size());
+  const auto particles = static_cast<int>(begin_.size());
   const bool own = options_.velocity == VelocitySeries::own_series;
-  Piece piece{begin, end, {}, {}, 1};
-  piece.position.assign(degree() + 1, Coordinates<double>::Zero(particles, dimension_));
-  piece.velocity.assign(degree() + (own ? 1 : 0), Coordinates<double>::Zero(particles, dimension_));
+  Piece piece{begin, end, Coefficients(degree() + 1, particles, dimension_),
+              Coefficients(degree() + (own ? 1 : 0), particles, dimension_)};
   std::vector<double> x, v;
   for (int i = 0; i < particles; ++i)
     for (int d = 0; d < dimension_; ++d) {
