@@ -73,5 +73,12 @@ int main() {
   const jetlag::State<> state = state_at(1.0, pair, start);
   good &= near("|d|^2 at t = 1", (state.position.row(1) - state.position.row(0)).squaredNorm(),
                parabola[0] + parabola[1] + parabola[2], 1e-14);
+
+  // A law of the library: masses 1 at distance 1 turn about each other, d'' = -2 d, at |d'| = 2^1/2. Ten steps.
+  jetlag::System<> circle(2, {1.0, 1.0});
+  circle.add<jetlag::Gravity>({{0, 1}}, {{1.0}});
+  const jetlag::State<> turned = state_at(
+      1.0, circle, {0.0, Rows{{-0.5, 0.0}, {0.5, 0.0}}, Rows{{0.0, -std::sqrt(0.5)}, {0.0, std::sqrt(0.5)}}});
+  good &= near("|d| of a circle", (turned.position.row(1) - turned.position.row(0)).norm(), 1.0, 1e-14);
   return good ? 0 : 1;
 }

@@ -325,8 +325,10 @@ RecordedLaw record_in_dimension() {
 
 /// The law, called once with the recording scalar. dimension: 1, 2 or 3.
 /// Throws std::invalid_argument for another dimension, and for one in which the law is not defined.
-template <ForceLaw L>
+/// The library exports it for its own laws. A constraint would be part of its name with clang 18 and newer, and not with g++.
+template <class L>
 RecordedLaw record_law(int dimension) {
+  static_assert(ForceLaw<L>, "a force law has a name, participants (1 to 8) and parameters");
   if (dimension < 1 || dimension > 3)
     throw std::invalid_argument("dimension must be 1, 2 or 3, got " + std::to_string(dimension));
   if constexpr (is_defined_in<L>(1))
