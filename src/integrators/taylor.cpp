@@ -377,9 +377,9 @@ Piece RandomTaylor::piece() const {
   return piece;
 }
 
-std::unique_ptr<Integrator> taylor(const System<double>& system, int degree,
-                                   std::unique_ptr<Control> control) {
-  return std::make_unique<RandomTaylor>(system, fixed_degree(degree), std::move(control));
+std::unique_ptr<Integrator> taylor(const System<double>& system, int degree, std::unique_ptr<Control> control,
+                                   const RandomTaylor::Options& options) {
+  return std::make_unique<RandomTaylor>(system, fixed_degree(degree), std::move(control), options);
 }
 
 }  // namespace jetlag

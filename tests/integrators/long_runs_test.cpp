@@ -26,8 +26,7 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 Lockstep degree_20(const System<double>& system, bool compensated) {
   RandomTaylor::Options options;
   options.compensated = compensated;
-  return Lockstep(
-      std::make_unique<RandomTaylor>(system, fixed_degree(20), std::make_unique<JorbaZou>(), options));
+  return Lockstep(taylor(system, 20, std::make_unique<JorbaZou>(), options));
 }
 
 /// The relative error of the energy -1/2 of the planet, 1000 times larger terms of which cancel near the sun:

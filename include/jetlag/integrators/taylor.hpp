@@ -144,7 +144,8 @@ class RandomTaylor final : public Integrator {
 };
 
 /// Taylor's method of a fixed degree N >= 1:  y(t + h) = sum_{n=0..N} y_n h^n, of order N.   Source: [JZ05].
-std::unique_ptr<Integrator> taylor(const System<double>& system, int degree,
-                                   std::unique_ptr<Control> control);
+/// options: those of a random degree that mean something here, as `compensated` and `threads`. Throws as RandomTaylor.
+std::unique_ptr<Integrator> taylor(const System<double>& system, int degree, std::unique_ptr<Control> control,
+                                   const RandomTaylor::Options& options = RandomTaylor::Options());
 
 }  // namespace jetlag
