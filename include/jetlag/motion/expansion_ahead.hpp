@@ -12,6 +12,7 @@ namespace jetlag {
 
 template <class T>
 bool Expansion<T>::pads(const Coordinates<T>& rows, const T* padded) const {
+  if (stride_ == dimension_) return std::equal(rows.data(), rows.data() + row_size(), padded);
   bool same = true;
   detail::for_components(
       particles_, dimension_,
@@ -26,8 +27,10 @@ void Expansion<T>::look_ahead(const State<T>& state, int order) {
   if (order > capacity_) reserve(order);
   const std::size_t before = element_coefficients_;
   ahead_.is_known = false;
-  ahead_.x.resize(x_.size(), T(0));
-  ahead_.v.resize(v_.size(), T(0));
+  if (ahead_.x.size() != x_.size()) {
+    ahead_.x.resize(x_.size(), T(0));
+    ahead_.v.resize(v_.size(), T(0));
+  }
   swap_ahead();
   begin(state, time_unit_);
   grow_to(order);

@@ -96,6 +96,10 @@ void Expansion<T>::begin(const State<T>& state, const T& time_unit) {
 
 template <class T>
 void Expansion<T>::pad(const Coordinates<T>& rows, T* to) const {
+  if (stride_ == dimension_) {
+    std::copy_n(rows.data(), row_size(), to);
+    return;
+  }
   detail::for_components(particles_, dimension_,
                          [=, from = rows.data(), d = dimension_, stride = stride_](std::size_t i, int c) {
                            to[i * stride + c] = from[i * d + c];
@@ -230,6 +234,10 @@ void Expansion<T>::sum(const AlignedVector<T>& series, int first, int last, cons
   std::array<T, width> total;
   for (std::size_t begin = 0; begin < rows; begin += width) {
     const std::size_t size = std::min(width, rows - begin), row = begin / stride_;
+    if (stride_ == dimension_) {
+      detail::sum_rows(series.data() + begin, rows, size, first, last, w, s, into.data() + begin);
+      continue;
+    }
     detail::sum_rows(series.data() + begin, rows, size, first, last, w, s, total.data());
     detail::for_components(static_cast<int>(size / stride_), dimension_,
                            [=, &total, to = into.data(), d = dimension_, stride = stride_](
