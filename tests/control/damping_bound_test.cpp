@@ -16,6 +16,7 @@
 #include "jetlag/scenes/mesh.hpp"
 #include "model/whole_tangent.hpp"
 #include "support/eigenvalues.hpp"
+#include "support/laws/cubic_friction.hpp"
 #include "support/laws/elastic_box.hpp"
 #include "support/problems.hpp"
 #include "support/random.hpp"
@@ -30,17 +31,6 @@ using ::testing::ThrowsMessage;
 Eigen::VectorXd dampings(const Model<double>& model, const State<double>& state) {
   return eigenvalues(over_masses(whole_tangent(model, state, Input::Kind::velocity), model));
 }
-
-/// F = -c |v|^2 v: C = c (|v|^2 + 2 v v^T), of eigenvalues c |v|^2 and 3 c |v|^2.
-struct Cubic {
-  static constexpr const char* name = "cubic friction";
-  static constexpr int participants = 1;
-  static constexpr std::array parameters{"coefficient"};
-  template <class T, int D>
-  static Vector<T, D> force(const Participants<T, D, 1>& p, const T& c) {
-    return T(-c * p.velocity[0].squaredNorm()) * p.velocity[0];
-  }
-};
 
 /// A damper along the line between two particles, F = -c (w . n) n, and a turn of velocities in the plane, F = c (-v_y, v_x).
 struct Dashpot {
@@ -85,7 +75,7 @@ TEST(DampingBound, OfProportionalViscosityIsThatOfTheFrequency) {
 
 TEST(DampingBound, OfCubicFrictionIsExact) {  // 3 c |v|^2 / m, of the fastest per mass
   System<double> system(2, {2.0, 0.5});
-  system.add<Cubic>({{0}, {1}}, {{4.0}, {0.25}});
+  system.add<CubicFriction>({{0}, {1}}, {{4.0}, {0.25}});
   State<double> state{0.0, Coordinates<double>::Zero(2, 2), Coordinates<double>(2, 2)};
   state.velocity << 3, 4, 0, 8;
   DampingMeter meter(system);
@@ -120,7 +110,7 @@ Problem mixture(std::uint64_t seed) {
       scene.system.add_at_rest<KelvinVoigt>({all}, rest, {{strength(), strength()}});
     }
     if (random(0, 1) < 0.4) scene.system.add<Dashpot>({{i, all[3]}}, {{strength()}});
-    if (random(0, 1) < 0.4) scene.system.add<Cubic>({{i}}, {{strength()}});
+    if (random(0, 1) < 0.4) scene.system.add<CubicFriction>({{i}}, {{strength()}});
     if (seed % 2 == 0 || random(0, 1) < 0.4) scene.system.add<Drag>({{i}}, {{strength()}});
     if (random(0, 1) < 0.2) scene.system.fix(i);
   }
@@ -194,7 +184,7 @@ TEST(DampingBound, IsRefusedForWhatDoesMoreThanDamp) {
               ThrowsMessage<std::invalid_argument>(
                   HasSubstr("turn depends on velocities and does more than damp them at t = 0.5")));
   System<double> driven(2, {1.0});
-  driven.add<Cubic>({{0}}, {{-1.0}});
+  driven.add<CubicFriction>({{0}}, {{-1.0}});
   EXPECT_NO_THROW(require_damping(driven, state(0)));
   EXPECT_THAT([&] { require_damping(driven, state(1)); },
               ThrowsMessage<std::invalid_argument>(HasSubstr("cubic friction")));

@@ -19,6 +19,7 @@
 #include "jetlag/schedule/lockstep.hpp"
 #include "model/whole_tangent.hpp"
 #include "support/eigenvalues.hpp"
+#include "support/laws/cubic_friction.hpp"
 #include "support/laws/elastic_box.hpp"
 #include "support/problems.hpp"
 #include "support/random.hpp"
@@ -187,20 +188,9 @@ TEST(ViscousCourant, OfNothingButDragCountsTheLargestToo) {
   EXPECT_NEAR(control.propose({series, fixed_degree(4)}), 0.5 * 2.7852935634 / 50, 1e-11);
 }
 
-/// F = -c |v|^2 v, whose damping grows with the motion.
-struct Cubic {
-  static constexpr const char* name = "cubic friction";
-  static constexpr int participants = 1;
-  static constexpr std::array parameters{"coefficient"};
-  template <class T, int D>
-  static Vector<T, D> force(const Participants<T, D, 1>& p, const T& c) {
-    return T(-c * p.velocity[0].squaredNorm()) * p.velocity[0];
-  }
-};
-
 TEST(ViscousCourant, IsTakenAnewAsTheDampingGrows) {  // 3 c v^2 / m, raised by 5 %, every third step
   System<double> system(1, {2.0});
-  system.add<Cubic>({{0}}, {{4.0}});
+  system.add<CubicFriction>({{0}}, {{4.0}});
   Courant control(std::make_unique<FixedStep>(1e3), 0.5, system, fixed_degree(4), own_series, 3);
   Expansion<double> series(system);
   State<double> state{0.0, Coordinates<double>::Zero(1, 1), Coordinates<double>::Constant(1, 1, 10.0)};
@@ -225,7 +215,7 @@ TEST(ViscousCourant, IsRefusedForVelocitiesFromTheDerivative) {
 
 TEST(ViscousCourant, IsRefusedForWhatDrivesVelocities) {
   System<double> system(1, {1.0});
-  system.add<Cubic>({{0}}, {{-1.0}});
+  system.add<CubicFriction>({{0}}, {{-1.0}});
   const State<double> state{0.0, Coordinates<double>::Zero(1, 1), Coordinates<double>::Constant(1, 1, 1.0)};
   EXPECT_THAT([&] { courant_step(system, state, fixed_degree(4), own_series, 1.0); },
               ThrowsMessage<std::invalid_argument>(HasSubstr("does more than damp")));

@@ -134,7 +134,6 @@ State<double> start_of(const System<double>& system) {
 Expansion<double> from_tape(const System<double>& system, int degree) {
   return Expansion<double>(system, degree, scalar_kernels<double>());
 }
-bool runs_kernels() { return kernels<double>().fuses; }
 
 TEST(LawKernel, IsTheTape) {
   // Coefficient k of a value comes of k products in each of some ten operations, the sizes of whose terms are within 30 times that
@@ -160,11 +159,12 @@ TEST(LawKernel, IsTheTape) {
 }
 
 TEST(LawKernel, RunsWhereProductsAreFused) {
-  if (!runs_kernels()) GTEST_SKIP() << "this machine rounds products before they are added";
+  const bool runs = kernels<double>().fuses;
   for (const Case& each : cases()) {
     const RecordedLaw& law = each.system.elements().front().law;
-    EXPECT_EQ(law.kernel.orders, each.orders) << each.name;
-    EXPECT_TRUE(UnrolledMotion<double>(Model<double>(each.system), kernels<double>()).exists()) << each.name;
+    EXPECT_EQ(law.kernel.orders, detail::runs_law_kernels() ? each.orders : 0) << each.name;
+    EXPECT_EQ(UnrolledMotion<double>(Model<double>(each.system), kernels<double>()).exists(), runs)
+        << each.name;
     EXPECT_FALSE(UnrolledMotion<double>(Model<double>(each.system), scalar_kernels<double>()).exists())
         << each.name;
   }
