@@ -48,7 +48,7 @@ struct Within {
 };
 inline Within within(double fraction) { return {fraction}; }
 
-namespace detail {
+namespace close_detail {
 
 template <class S>
 concept Sequence = requires(const S& s) { s[0]; };
@@ -147,12 +147,12 @@ class CloseMatcher {
   Tolerance tolerance_;
 };
 
-}  // namespace detail
+}  // namespace close_detail
 
 /// Equal to a series, a container or a number, within a tolerance.
 template <class E, class Tolerance = CarriedError>
 auto IsCloseTo(const E& expected, Tolerance tolerance = {}) {
-  return detail::CloseMatcher<E, Tolerance>(expected, tolerance);
+  return close_detail::CloseMatcher<E, Tolerance>(expected, tolerance);
 }
 
 /// Coefficient k is expected(k). The matcher knows only the type of a coefficient: one for each lambda, with all that
@@ -160,7 +160,7 @@ auto IsCloseTo(const E& expected, Tolerance tolerance = {}) {
 template <std::invocable<int> F, class Tolerance = CarriedError>
 auto HasCoefficients(F expected, Tolerance tolerance = {}) {
   using Coefficient = std::decay_t<std::invoke_result_t<const F&, int>>;
-  return detail::CloseMatcher<std::function<Coefficient(int)>, Tolerance>(std::move(expected), tolerance);
+  return close_detail::CloseMatcher<std::function<Coefficient(int)>, Tolerance>(std::move(expected), tolerance);
 }
 
 }  // namespace jetlag::testing
