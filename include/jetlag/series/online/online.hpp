@@ -82,7 +82,10 @@ class Online {
 
  private:
   Online(Unrolled newest, const double* history, int stride, Histories* histories)
-      : newest_(newest), history_(history), stride_(stride), histories_(histories) {}
+      : newest_(newest), history_(history), stride_(stride), histories_(histories) {
+    // What the compiler cannot know otherwise: this is no number.
+    if (history == nullptr || histories == nullptr) __builtin_unreachable();
+  }
 
   Unrolled newest_;
   const double* history_ = nullptr;
