@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 namespace jetlag {
 
@@ -126,21 +127,21 @@ void horner_of(int last, int stride, const double* x, const double* h, double* p
 
 inline void horner(int lanes, int last, const double* x, const double* h, double* position, double* velocity,
                    double* acceleration) {
-  if (lanes % 16 == 0) {
-    typedef double Pack __attribute__((vector_size(JETLAG_PACK)));
-    constexpr int n = 4, width = n * JETLAG_PACK / 8;
-    static_assert(16 % width == 0 || width == 32);
-    if (lanes % width == 0)
-      for (int i = 0; i < lanes; i += width)
-        horner_of<Pack, n>(last, lanes, x + i, h + i, position + i, velocity + i, acceleration + i);
-    else
-      for (int i = 0; i < lanes; i += 16)
-        horner_of<Pack, 16 * 8 / JETLAG_PACK>(last, lanes, x + i, h + i, position + i, velocity + i,
-                                              acceleration + i);
-  } else {
-    for (int i = 0; i < lanes; ++i)
-      horner_of<double, 1>(last, lanes, x + i, h + i, position + i, velocity + i, acceleration + i);
-  }
+  typedef double Pack __attribute__((vector_size(JETLAG_PACK)));
+  const auto each = [&]<class P, int n>(std::integral_constant<int, n>, P) {
+    constexpr int width = n * static_cast<int>(sizeof(P) / sizeof(double));
+    for (int i = 0; i < lanes; i += width)
+      horner_of<P, n>(last, lanes, x + i, h + i, position + i, velocity + i, acceleration + i);
+  };
+  constexpr int of_eight = 64 / JETLAG_PACK;
+  if (lanes % (4 * JETLAG_PACK / 8) == 0)
+    each(std::integral_constant<int, 4>(), Pack());
+  else if (lanes % 16 == 0)
+    each(std::integral_constant<int, 2 * of_eight>(), Pack());
+  else if (lanes % 8 == 0)
+    each(std::integral_constant<int, of_eight>(), Pack());
+  else
+    each(std::integral_constant<int, 1>(), 0.0);
 }
 
 inline void depart(int lanes, const double* __restrict x, const double* __restrict y, double* __restrict most,

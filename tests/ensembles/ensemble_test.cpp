@@ -111,6 +111,23 @@ TEST(Ensemble, IsTaylorsMethodOnEveryTrajectory) {
   expect_taylor(chain(), hanging(9), 5.0);
 }
 
+/// Three bodies in space, of which one is held; of a single law, which is a kernel (forces/law_kernel.hpp).
+TEST(Ensemble, FollowsSeveralElementsOfOneLaw) {
+  System<double> system(3, {2.0, 0.125, 0.0625});
+  system.add<Gravity>({{1, 0}, {0, 2}, {2, 1}}, {{1.0}, {1.0}, {0.5}});
+  system.fix(0);
+  std::vector<State<double>> states;
+  for (int i = 0; i < 19; ++i) {
+    State<double> state{0.0, Coordinates<double>::Zero(3, 3), Coordinates<double>::Zero(3, 3)};
+    state.position.row(1) << 1, 0, 0.01 * i;
+    state.position.row(2) << 0, -2.5, 0.25;
+    state.velocity.row(1) << 0, 1.25, 0.125;
+    state.velocity.row(2) << 0.75, 0, 0.01 * i;
+    states.push_back(state);
+  }
+  expect_taylor(system, states, 6.0);
+}
+
 TEST(Ensemble, FollowsLawsThatReadTheTime) {
   System<double> system(2, {2.0});
   system.add<Stirred>({{0}}, {{0.7}});

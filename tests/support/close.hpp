@@ -160,7 +160,8 @@ auto IsCloseTo(const E& expected, Tolerance tolerance = {}) {
 template <std::invocable<int> F, class Tolerance = CarriedError>
 auto HasCoefficients(F expected, Tolerance tolerance = {}) {
   using Coefficient = std::decay_t<std::invoke_result_t<const F&, int>>;
-  return close_detail::CloseMatcher<std::function<Coefficient(int)>, Tolerance>(std::move(expected), tolerance);
+  return close_detail::CloseMatcher<std::function<Coefficient(int)>, Tolerance>(std::move(expected),
+                                                                                tolerance);
 }
 
 }  // namespace jetlag::testing
