@@ -39,6 +39,10 @@ bool EventDriven::continues(const State<double>& state, double until) const {
 }
 
 Report EventDriven::run(State<double>& state, double until, const RunOptions& options) {
+  return counted(work(), [&] { return take_steps(state, until, options); });
+}
+
+Report EventDriven::take_steps(State<double>& state, double until, const RunOptions& options) {
   require_not_before(state, until);
   if (!options.events.empty())
     throw std::invalid_argument("run: events need one clock for all particles; " + clocks_);

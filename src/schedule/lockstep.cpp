@@ -48,6 +48,10 @@ class LastStep final : public StepView {
 }  // namespace
 
 Report Lockstep::run(State<double>& state, double until, const RunOptions& options) {
+  return counted(work(), [&] { return take_steps(state, until, options); });
+}
+
+Report Lockstep::take_steps(State<double>& state, double until, const RunOptions& options) {
   require_not_before(state, until);
   EventWatch events(options, state);
   const Observer& observer = options.observer;

@@ -38,6 +38,13 @@ std::pair<T, int> error_after(int turns) {
   return {max(abs(T(state.y[0] - 1)), abs(state.y[1])), static_cast<int>(method.work().steps)};
 }
 
+TEST(FirstOrderTaylor, SaysHowManyStepsEachRunTook) {
+  FirstOrderTaylor<> method([](const auto&, const auto& y) { return std::array{-y[0]}; }, 1, {.step = 0.25});
+  FirstOrderState<> state{0.0, {1.0}};
+  EXPECT_EQ(method.run(state, 1.0).steps, 4u);
+  EXPECT_EQ(method.run(state, 0.5).steps, 2u);
+}
+
 TEST(FirstOrderTaylor, GoesRoundTheCircleToTheRoundingOfEveryType) {
   // The speed is 1, so the time 2 pi n, rounded, is an error of eps 2 pi n at most; the increments of a step are
   // below 1: eps / 2 a step for their rounding, and as much for the terms left out.

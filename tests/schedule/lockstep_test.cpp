@@ -179,6 +179,18 @@ TEST(Lockstep, StopsAtTheLargestNumberOfSteps) {
   EXPECT_NEAR(state.position(0, 0), std::cos(0.75), 1e-5);
 }
 
+TEST(Lockstep, SaysHowManyStepsEachRunTook) {
+  const Problem scene = oscillator();
+  Lockstep method = taylor_in_steps(scene, 0.125);
+  State<double> state = scene.start;
+  EXPECT_EQ(method.run(state, 1.0, {}).steps, 8u);
+  EXPECT_EQ(method.run(state, 1.25, {}).steps, 2u);
+  const Report limited = method.run(state, 2.0, {.max_steps = 3});
+  EXPECT_EQ(limited.outcome, Outcome::step_limit);
+  EXPECT_EQ(limited.steps, 3u);
+  EXPECT_EQ(method.run(state, state.time, {}).steps, 0u);
+}
+
 TEST(Lockstep, MayUseUpItsStepsExactly) {
   const Problem scene = oscillator();
   State<double> state = scene.start;
@@ -197,6 +209,7 @@ TEST(Lockstep, StopsWhenAsked) {
   EXPECT_EQ(report.outcome, Outcome::interrupted);
   EXPECT_THAT(report.message, HasSubstr("0.5"));
   EXPECT_EQ(state.time, 0.5);
+  EXPECT_EQ(report.steps, 4u);
 }
 
 /// Two bodies at rest fall together, by degree 20 and Jorba-Zou, from time `begin`.

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 
+#include "jetlag/base/outcome.hpp"
+
 namespace jetlag {
 
 /// What a run has cost so far.
@@ -32,5 +34,14 @@ struct Work {
     return updates == 0 ? 0.0 : static_cast<double>(degrees) / static_cast<double>(updates);
   }
 };
+
+/// The report of a run, with the steps that it took by the work of its method.
+template <class Run>
+Report counted(const Work& work, const Run& run) {
+  const std::uint64_t before = work.steps;
+  Report report = run();
+  report.steps = work.steps - before;
+  return report;
+}
 
 }  // namespace jetlag

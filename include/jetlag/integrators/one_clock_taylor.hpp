@@ -130,6 +130,7 @@ class OneClockTaylor {
   const Method& self() const { return static_cast<const Method&>(*this); }
   Method& self() { return static_cast<Method&>(*this); }
 
+  Report take_steps(State& state, const T& until, const RunOptions& options);
   static Options checked(const std::string& name, Options options);
   static Truncation truncation_of(const Options& options) {
     return options.law ? *options.law : Truncation(fixed_degree(std::max(options.degree, 1)));
@@ -269,6 +270,12 @@ Report OneClockTaylor<Method, Series, State, Options>::refusal(const T& time, co
 template <class Method, class Series, class State, class Options>
 Report OneClockTaylor<Method, Series, State, Options>::run(State& state, const T& until,
                                                            const RunOptions& options) {
+  return counted(work_, [&] { return take_steps(state, until, options); });
+}
+
+template <class Method, class Series, class State, class Options>
+Report OneClockTaylor<Method, Series, State, Options>::take_steps(State& state, const T& until,
+                                                                  const RunOptions& options) {
   if (!finite(until) || !finite(state.time))
     throw std::invalid_argument("run: until and the time of the state must be finite");
   T lost(0);  // what rounding has cut from state.time

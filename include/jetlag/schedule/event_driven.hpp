@@ -53,6 +53,7 @@ class EventDriven : public Schedule {
 
  private:
   class Between;
+  Report take_steps(State<double>& state, double until, const RunOptions& options);
   bool continues(const State<double>& state, double until) const;
 
   std::string clocks_, advice_;

@@ -21,6 +21,8 @@ class Lockstep final : public Schedule {
   }
 
  private:
+  Report take_steps(State<double>& state, double until, const RunOptions& options);
+
   std::unique_ptr<Integrator> integrator_;
 };
 
