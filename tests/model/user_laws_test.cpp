@@ -47,6 +47,44 @@ TEST(UserLaw, WithAConstantComponentFallsAlongItAndSwingsAlongTheOther) {  // x 
   }
 }
 
+TEST(UserLaw,
+     MayBeALambdaWithWhatItCaptures) {  // m x'' = -m w^2 x + F: x = a + (x_0 - a) cos(w t), a = F / (m w^2)
+  const std::vector<double> mass{0.5, 2.0};
+  for (const double w : {1.5, 0.75}) {  // what has been captured at one time does not come back at another
+    const double pull = 3.0;
+    System<> system(1, mass);
+    system.add<1>("tether",
+                  [=](const auto& p) {
+                    auto f = p.position[0];
+                    f[0] = pull - p.mass[0] * (w * w) * p.position[0][0];
+                    return f;
+                  },
+                  {1, 0});
+    EXPECT_EQ(system.elements().front().law.name, "tether");
+    Expansion<> series(system, 10);
+    series.start(state_of(Coordinates<>{{1.0}, {-0.25}}, Coordinates<>{{0.0}, {0.0}}));
+    series.grow_to(10);
+    for (int i = 0; i < 2; ++i) {
+      const double a = pull / (mass[i] * w * w);
+      double term = (i == 0 ? 1.0 : -0.25) - a;  // (x_0 - a) (-w^2)^n / (2n)!
+      for (int k = 2; k <= 10; k += 2) {
+        term *= -w * w / (k * (k - 1));
+        EXPECT_NEAR(series.position(k)(i, 0), term, 4 * k * 0x1p-53 * std::abs(term))
+            << k;  // some two roundings an order, and up to 1.6 of what cancels in x_0 - a
+        EXPECT_EQ(series.position(k - 1)(i, 0), 0.0) << k;
+      }
+    }
+  }
+}
+
+TEST(UserLaw, OfALambdaIsRefusedWhereItDoesNotFit) {
+  System<> system(2, {1.0});
+  const auto force = [](const auto& p) { return (-p.position[0]).eval(); };
+  EXPECT_THROW(system.add<2>("push", force, {1}), std::invalid_argument);
+  EXPECT_THROW(system.add<3>("push", force, {0}), std::invalid_argument) << "another dimension";
+  EXPECT_TRUE(system.elements().empty());
+}
+
 TEST(UserLaw, OfFirstOrderMayHaveAConstantComponent) {  // y' = (2, y_1): 2 t and e^t
   FirstOrderExpansion<> series([](const auto& t, const auto& y) { return std::array{2.0 + 0.0 * t, y[1]}; },
                                2);

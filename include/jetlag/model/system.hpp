@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "jetlag/forces/force.hpp"
+#include "jetlag/forces/lambda_law.hpp"
 
 #if EIGEN_DEFAULT_ALIGN_BYTES != 64
 #error \
@@ -92,6 +94,14 @@ class System {
     add(record_law<L>(dimension_), std::move(particles), std::move(flat));
   }
   void add(RecordedLaw law, std::vector<int> particles, std::vector<T> parameters);
+
+  /// A force on each of some particles by a lambda (forces/lambda_law.hpp); D: the dimension of the system. Throws
+  /// std::invalid_argument as add, and for another dimension.
+  template <int D, class F>
+    requires std::same_as<T, double>
+  void add(std::string name, const F& force, std::vector<int> particles) {
+    add(record_lambda<D>(std::move(name), force), std::move(particles), {});
+  }
 
   /// Elements of a law L whose parameters follow from a rest shape and a material (forces/force.hpp).
   /// rest: where particles are at rest [m], shape (particles, dimension); material: L::material of each element, or one for
