@@ -121,7 +121,6 @@ void Ensemble::choose_steps(Workspace& work) const {
   std::ranges::fill(work.log_step, 2000.0);  // infinite
   std::ranges::fill(work.not_finite, 0.0);
   std::ranges::fill(work.regular, 1);
-  std::ranges::fill(work.norms, 0.0);
   const auto low = [](bool of_velocity) { return of_velocity ? 1 : 2; };
   const auto read = [&](bool of_velocity, int k) { return k <= low(of_velocity) || k >= p - 1; };
   const auto norm = [&](bool of_velocity, int k) {
@@ -129,6 +128,7 @@ void Ensemble::choose_steps(Workspace& work) const {
   };
   const auto log = [&](int k) { return work.logs.data() + k * lanes; };
   const auto measure = [&](bool of_velocity, int k, AlignedVector<double>& not_finite) {
+    std::fill_n(norm(of_velocity, k), lanes, 0.0);
     for (int c = 0; c < system_->components; ++c)
       if (system_->inverse_mass[c] != 0.0 || (!of_velocity && k == 0))
         work.lanes.largest(lanes, work.blocks.at(0, system_->series[c], k + of_velocity),
