@@ -111,7 +111,8 @@ TEST(Ensemble, IsTaylorsMethodOnEveryTrajectory) {
   expect_taylor(chain(), hanging(9), 5.0);
 }
 
-/// Three bodies in space, of which one is held; of a single law, which is a kernel (forces/law_kernel.hpp).
+/// Three bodies in space, of which one is held. The inner one goes round 1.8 times, e = .22, and 30 steps of rounding grow
+/// to some 30 x 3e-16 x 6 pi x 1.8 < 1e-12.
 TEST(Ensemble, FollowsSeveralElementsOfOneLaw) {
   System<double> system(3, {2.0, 0.125, 0.0625});
   system.add<Gravity>({{1, 0}, {0, 2}, {2, 1}}, {{1.0}, {1.0}, {0.5}});
