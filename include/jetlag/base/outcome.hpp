@@ -24,9 +24,8 @@ const char* to_string(Outcome outcome);
 struct Report {
   Outcome outcome = Outcome::success;
   std::string message;
-  int particle = -1;  // the first particle concerned, if any
-  std::uint64_t steps =
-      0;  // of a run of a schedule, or of one clock: how many it took, a last one that failed perhaps among them
+  int particle = -1;        // the first particle concerned, if any
+  std::uint64_t steps = 0;  // that a run took, one that failed at its end perhaps among them
 };
 
 /// The reports of a run that has used up its steps, and of one that was asked to stop. time: of its last state [s].

@@ -8,8 +8,8 @@
 //
 // bounds u^H C u of all u with u^H M u = 1. A law with a damping c (forces/force.hpp) is one of C_e = c and w_e = c, in any
 // state: gamma_e = l_0. Those of other laws are bounds of a state; they have to be symmetric and positive semidefinite, as Kelvin
-// and Voigt's are: what turns velocities or drives them has no such rate. Where a run begins that is checked, later it is not. Laws that are `unbounded` by their own word
-// are not counted.
+// and Voigt's are: what turns velocities or drives them has no such rate. Where a run begins that is checked, later it is not.
+// Laws that are `unbounded` by their own word are not counted.
 
 #include <memory>
 #include <vector>

@@ -3,7 +3,7 @@
 // A law itself as the kernel: all coefficients of the motion under a single element in one function, in which the order
 // is unrolled and the law is called with recurrences for scalars (series/online/online.hpp).
 //
-// It takes the compiler seconds, for gravity in space some twenty, so that a law asks for it,
+// It takes the compiler seconds, some ten for gravity in space, so that a law asks for it,
 //
 //     static constexpr int unrolled_orders = 20;                      // of its forces: for Taylor steps of degree 20
 //     static constexpr std::array unrolled_dimensions{2, 3};          // of space; without this, all
