@@ -15,7 +15,7 @@ bool Companion::advance_to(double time, const std::function<bool()>& go_on) {
     }
   }
   if (report_.outcome != Outcome::success) return false;
-  seen_ = state_.time == time ? state_ : taylor_.piece().at(time);
+  seen_ = state_.time == time ? state_ : taylor_.motion().at(time);
   return true;
 }
 

@@ -377,6 +377,15 @@ Piece RandomTaylor::piece() const {
   return piece;
 }
 
+/// Where all weights are 1 and velocities have a series of their own the coefficients are those of the expansion.
+PieceView RandomTaylor::motion() const {
+  const bool derivative = options_.velocity == VelocitySeries::derivative;
+  if (!known_.empty() || !stops().law().is_fixed() || derivative) return Integrator::motion();
+  const int top = stops().law().max_degree();
+  return {expansion().time(), expansion().time() + last_step_, expansion().position_series(top),
+          expansion().velocity_series(top), expansion().time_unit()};
+}
+
 std::unique_ptr<Integrator> taylor(const System<double>& system, int degree, std::unique_ptr<Control> control,
                                    const RandomTaylor::Options& options) {
   return std::make_unique<RandomTaylor>(system, fixed_degree(degree), std::move(control), options);

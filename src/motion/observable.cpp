@@ -80,7 +80,7 @@ void ObservableSeries::find_linear_terms() {
   }
 }
 
-int ObservableSeries::sign_along(const Piece& piece) const {
+int ObservableSeries::sign_along(const PieceView& piece) const {
   if (!is_linear_ || piece.unit != 1) return 0;
   const double h = time_between(piece.begin, piece.end);
   double first = constant_, sizes = std::abs(constant_);
@@ -100,7 +100,7 @@ int ObservableSeries::sign_along(const Piece& piece) const {
         if (k == 1) c += weight;
         continue;
       }
-      const Coefficients& series = input.kind == Input::Kind::position ? piece.position : piece.velocity;
+      const CoefficientsView& series = input.kind == Input::Kind::position ? piece.position : piece.velocity;
       if (k < series.size()) c += weight * entry(series[k], input);
     }
     rest = (rest + std::abs(c)) * h;
@@ -123,7 +123,7 @@ double ObservableSeries::operator()(const State<double>& state) {
   return coefficient(0);
 }
 
-std::vector<LocalSeries> ObservableSeries::along(const Piece& piece) {
+std::vector<LocalSeries> ObservableSeries::along(const PieceView& piece) {
   if (piece.unit != 1)
     throw std::invalid_argument(
         "an observable is followed in seconds, in which the coefficients of this motion over- or underflow: "
@@ -384,7 +384,7 @@ std::vector<Crossing> crossings(std::span<LocalSeries> series, int before) {
   return found;
 }
 
-std::vector<Crossing> crossings(const Piece& piece, const Observable& g) {
+std::vector<Crossing> crossings(const PieceView& piece, const Observable& g) {
   if (piece.position.empty()) throw std::invalid_argument("crossings: a piece without coefficients");
   const auto x = piece.position.front();
   g.require_fit("the observable", static_cast<int>(x.rows()), static_cast<int>(x.cols()));

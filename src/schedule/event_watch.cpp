@@ -52,7 +52,7 @@ EventWatch::EventWatch(const RunOptions& options, const State<double>& start) : 
 
 // ---- one event in one step --------------------------------------------------------------------------------
 
-bool EventWatch::Watched::keeps_sign(const Piece& piece, const State<double>& state) {
+bool EventWatch::Watched::keeps_sign(const PieceView& piece, const State<double>& state) {
   if (on_event) return false;
   const int all_along = g.sign_along(piece);
   if (all_along == 0 || (before != 0 && before != all_along) || sign(g(state)) != all_along) return false;
@@ -118,7 +118,7 @@ int EventWatch::Watched::sign_after(double t) const {
 }
 
 /// g of the motion carried on a little beyond t, the end of what is known.
-EventWatch::Watched::Ahead EventWatch::Watched::ahead(double t, const Piece& piece) {
+EventWatch::Watched::Ahead EventWatch::Watched::ahead(double t, const PieceView& piece) {
   const double later = std::max(t + 0x1p-16 * (t - piece.begin), std::nextafter(t, infinity));
   return {later, g(piece.at(later))};
 }
@@ -143,7 +143,7 @@ bool EventWatch::Watched::take_back_crossing_at(double t, double rounding) {
 
 /// Makes the crossings up to t agree with the state there. Where they do not, by rounding: a crossing that has not gone
 /// beyond rounding since is left to the next step; otherwise there is one more, at t.
-void EventWatch::Watched::settle(double t, const State<double>& state, const Piece& piece) {
+void EventWatch::Watched::settle(double t, const State<double>& state, const PieceView& piece) {
   std::erase_if(crossings, [t](const Crossing& at) { return at.time > t; });
   const int after = sign_after(t);
   const double value = g(state);
@@ -188,9 +188,9 @@ std::vector<EventWatch::Hit> EventWatch::all_hits() const {
 }
 
 void EventWatch::hand_out(const Hit& hit, const State<double>& state) {
-  const EventHit seen{hit.event, hit.at.time, hit.at.rising, state};
+  EventHit seen{hit.event, hit.at.time, hit.at.rising, state};
   if (events_[hit.event].event.callback) events_[hit.event].event.callback(seen);
-  if (hits_) hits_->push_back(seen);
+  if (hits_) hits_->push_back(std::move(seen));
 }
 
 /// All changes at the end of the hits. An event that has fired and whose g is still at zero is on the event.
@@ -216,8 +216,7 @@ void EventWatch::change(const std::vector<Hit>& hits, State<double>& state) {
   }
 }
 
-Report EventWatch::look(Piece piece, State<double>& state) {
-  piece.end = state.time;
+Report EventWatch::look(const PieceView& piece, State<double>& state) {
   if (std::ranges::all_of(events_, [&](Watched& watched) { return watched.keeps_sign(piece, state); })) {
     instants_ = 0;
     return {};

@@ -26,10 +26,10 @@ class EventWatch {
 
   bool idle() const { return events_.empty(); }
 
-  /// Looks at a step; `state` is where it has led. Hands out the hits in order; where an event changes the state or
+  /// Looks at a step, a piece that ends with it; `state` is where it has led. Hands out the hits in order; where an event changes the state or
   /// ends the run, `state` is taken back to it. Success: the run goes on from `state`. Outcome::event: it ends there.
   /// Any other: it cannot go on, and `state` is that at the beginning of the step.
-  Report look(Piece piece, State<double>& state);
+  Report look(const PieceView& piece, State<double>& state);
 
  private:
   /// One event during the step that is looked at.
@@ -45,7 +45,7 @@ class EventWatch {
     bool stays = false;                 // whether g stays at zero there, as far as is known
 
     /// Whether it is sure at a glance that g keeps its sign, which is taken along.
-    bool keeps_sign(const Piece& piece, const State<double>& state);
+    bool keeps_sign(const PieceView& piece, const State<double>& state);
     bool counts(const Crossing& at) const;
     bool leaves() const { return event.terminal || event.change; }
     const LocalSeries& series_at(double t) const;
@@ -55,10 +55,10 @@ class EventWatch {
     struct Ahead {
       double time, value;
     };
-    Ahead ahead(double t, const Piece& piece);
+    Ahead ahead(double t, const PieceView& piece);
     int sign_from_zero(double t, const Ahead& ahead) const;
     bool take_back_crossing_at(double t, double rounding);
-    void settle(double t, const State<double>& state, const Piece& piece);
+    void settle(double t, const State<double>& state, const PieceView& piece);
   };
   struct Hit {
     int event;

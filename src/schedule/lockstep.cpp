@@ -15,18 +15,18 @@ namespace jetlag {
 namespace {
 
 /// The highest order whose coefficient of a particle is not zero.
-int degree_of(const Piece& piece, int particle) {
+int degree_of(const PieceView& piece, int particle) {
   int k = static_cast<int>(piece.position.size()) - 1;
   while (k > 0 && piece.position[k].row(particle).isZero(0.0)) --k;
   return k;
 }
 
 /// The state at the beginning of a step, rests of compensated sums dropped.
-State<double> beginning(const Piece& piece) {
+State<double> beginning(const PieceView& piece) {
   return {piece.begin, piece.position.front(), piece.velocity.front()};
 }
 
-void tell_updates(const Piece& piece, double step, const std::function<void(const Update&)>& on_update) {
+void tell_updates(const PieceView& piece, double step, const std::function<void(const Update&)>& on_update) {
   for (int i = 0; i < piece.position.front().rows(); ++i)
     on_update({i, piece.begin, step, degree_of(piece, i)});
 }
@@ -38,6 +38,7 @@ class LastStep final : public StepView {
       : StepView(begin, state.time), integrator_(integrator), state_(state) {}
   const State<double>& state() const override { return state_; }
   Piece piece() const override { return integrator_.piece(); }
+  PieceView motion() const override { return integrator_.motion(); }
   const Work& work() const override { return integrator_.work(); }
 
  private:
@@ -75,7 +76,7 @@ Report Lockstep::take_steps(State<double>& state, double until, const RunOptions
     const double h = integrator_->step(state, limit, report);
     if (report.outcome != Outcome::success) return report;
     if (std::isfinite(options.largest) && !in_range(state, options.largest, begin, report)) {
-      state = beginning(integrator_->piece());
+      state = beginning(integrator_->motion());
       return report;
     }
     if (h == limit && !std::isinf(until)) {
@@ -87,15 +88,14 @@ Report Lockstep::take_steps(State<double>& state, double until, const RunOptions
     }
     if (!events.idle()) {
       const double end = state.time;
-      report = events.look(integrator_->piece(), state);
+      PieceView piece = integrator_->motion();
+      piece.end = end;
+      report = events.look(piece, state);
       if (report.outcome != Outcome::success && report.outcome != Outcome::event) return report;
       if (state.time != end) lost = lost_before;  // the step ends at an event, by the clock of its beginning
     }
-    if (observer.on_update) tell_updates(integrator_->piece(), state.time - begin, observer.on_update);
-    if (frames.wants(state.time)) {
-      const Piece piece = integrator_->piece();
-      frames.up_to(state.time, [&](double t) { return t == state.time ? state : piece.at(t); });
-    }
+    if (observer.on_update) tell_updates(integrator_->motion(), state.time - begin, observer.on_update);
+    if (frames.wants(state.time)) frames.up_to(state, integrator_->motion());
     const bool go_on = !observer.after_step || observer.after_step(LastStep(*integrator_, begin, state));
     if (report.outcome == Outcome::event) return report;
     if (!go_on) return interrupted(state.time);

@@ -3,8 +3,11 @@
 // What all runs do alike: they refuse to go back, and hand out frames as the motion becomes known.
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <span>
 #include <stdexcept>
+#include <vector>
 
 #include "jetlag/schedule/schedule.hpp"
 
@@ -33,9 +36,22 @@ class Frames {
     while (wants(time)) observer_.at_frame(at(observer_.frame_times[next_++]));
   }
 
+  /// All of them in a step to `end`, of which this is the motion.
+  void up_to(const State<double>& end, const PieceView& motion) {
+    const std::vector<double>& times = observer_.frame_times;
+    while (wants(end.time)) {
+      std::size_t count = 1;
+      while (count < room_.size() && next_ + count < times.size() && times[next_ + count] <= end.time)
+        ++count;
+      motion.at(std::span(times).subspan(next_, count), room_);
+      for (std::size_t i = 0; i < count; ++i) observer_.at_frame(times[next_++] == end.time ? end : room_[i]);
+    }
+  }
+
  private:
   const Observer& observer_;
   std::size_t next_;
+  std::array<State<double>, 4> room_;  // for frames
 };
 
 }  // namespace jetlag

@@ -7,11 +7,15 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "jetlag/control/fixed_step.hpp"
 #include "jetlag/control/jorba_zou.hpp"
+#include "jetlag/integrators/explicit/leapfrog.hpp"
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/schedule/lockstep.hpp"
 #include "jetlag/truncation/draws.hpp"
@@ -145,6 +149,60 @@ TEST(Piece, GivesThePolynomialsOfAParticle) {
   for (int c = 0; c < 3; ++c) {
     ASSERT_EQ(rows[c].size(), piece.position.size());
     for (std::size_t n = 0; n < rows[c].size(); ++n) EXPECT_EQ(rows[c][n], piece.position[n](5, c));
+  }
+}
+
+TEST(Piece, IsTheSameWhereItStands) {
+  // In memory of its own, and as a method has it: coefficients of a random truncation, of a fixed degree in rows that are
+  // padded (3 components) and not, and of steps that are no Taylor steps.
+  const auto look = [](const Problem& scene, std::unique_ptr<Integrator> method) {
+    Lockstep lockstep(std::move(method));
+    RunOptions run;
+    run.observer.after_step = [](const StepView& view) {
+      const Piece piece = view.piece(), there = view.motion().copy();
+      EXPECT_EQ(there.begin, piece.begin);
+      EXPECT_EQ(there.end, piece.end);
+      EXPECT_EQ(there.unit, piece.unit);
+      for (const auto of : {&Piece::position, &Piece::velocity}) {
+        EXPECT_EQ((there.*of).size(), (piece.*of).size());
+        for (std::size_t k = 0; k < (piece.*of).size(); ++k) EXPECT_EQ((there.*of)[k], (piece.*of)[k]) << k;
+      }
+      const double t = piece.begin + 0.3 * (piece.end - piece.begin);
+      EXPECT_EQ(view.motion().at(t).position, piece.at(t).position);
+      EXPECT_EQ(view.motion().at(t).velocity, piece.at(t).velocity);
+      return true;
+    };
+    State<double> state = scene.start;
+    EXPECT_EQ(lockstep.run(state, 1.0, run).outcome, Outcome::success);
+  };
+  const auto step = [] { return std::make_unique<FixedStep>(0.125); };
+  for (const Problem& scene : {oscillator(), planet(0.5), spring_cube(8)}) {
+    look(scene, taylor(scene.system, 20, step()));
+    look(scene, std::make_unique<RandomTaylor>(scene.system, geometric(3, 8, 0.5), step()));
+    look(scene, std::make_unique<Leapfrog>(scene.system, 0.125));
+    RandomTaylor::Options options;
+    options.velocity = VelocitySeries::derivative;
+    look(scene, taylor(scene.system, 20, step(), options));
+  }
+}
+
+TEST(Piece, IsTheSameAtSeveralTimesAtOnce) {
+  // Of 1, 2, 3 and more numbers, and of more times than go beside each other.
+  const std::vector<double> times{0.1, 0.25, 0.5, 0.75, 0.875, 1.0};
+  for (const auto& [particles, dimension] : {std::pair{1, 1}, {1, 2}, {3, 1}, {2, 3}}) {
+    Piece piece{0.0, 1.0, Coefficients(9, particles, dimension), Coefficients(8, particles, dimension)};
+    for (Coefficients* series : {&piece.position, &piece.velocity})
+      for (std::size_t k = 0; k < series->size(); ++k)
+        (*series)[k] = Coordinates<double>::Random(particles, dimension);
+    for (std::size_t count = 0; count <= times.size(); ++count) {
+      std::vector<State<double>> states(count);
+      PieceView(piece).at(std::span(times).first(count), states);
+      for (std::size_t i = 0; i < count; ++i) {
+        EXPECT_EQ(states[i].time, times[i]);
+        EXPECT_EQ(states[i].position, piece.at(times[i]).position);
+        EXPECT_EQ(states[i].velocity, piece.at(times[i]).velocity);
+      }
+    }
   }
 }
 

@@ -127,9 +127,9 @@ TEST(Trajectory, IsContinuous) {
     all.push_back(motion(scene, at_random(scene, 0.1), begin + 2));
     all.push_back(motion(scene, Lockstep(std::make_unique<Leapfrog>(scene.system, 0.1)), begin + 2));
     for (const Trajectory& trajectory : all) {
-      ASSERT_EQ(trajectory.pieces().size(), 20u);
+      ASSERT_EQ(trajectory.size(), 20u);
       for (std::size_t i = 1; i < 20; ++i) {
-        const Piece &before = trajectory.pieces()[i - 1], &after = trajectory.pieces()[i];
+        const PieceView before = trajectory.piece(i - 1), after = trajectory.piece(i);
         EXPECT_EQ(before.end, after.begin);
         EXPECT_LT(distance(before.at(before.end).position, after.at(after.begin).position), clock + 14 * eps);
         EXPECT_LT(distance(before.at(before.end).velocity, after.at(after.begin).velocity), clock + 14 * eps);
@@ -207,17 +207,74 @@ TEST(Trajectory, RefusesPiecesThatDoNotFit) {
   Piece wide = line(1.0, 2.0, 0.0, 0.0);
   wide.position = {Coordinates<double>::Zero(1, 3)};
   EXPECT_THAT([&] { trajectory.add(wide); }, message("(1, 3), not (1, 1)"));
-  EXPECT_EQ(trajectory.pieces().size(), 1u);
+  Piece high = line(1.0, 2.0, 0.0, 0.0);
+  high.position = high.velocity = {Coordinates<double>::Zero(1, 4)};
+  EXPECT_THAT([&] { trajectory.add(high); }, message("4 components, at most 3"));
+  EXPECT_EQ(trajectory.size(), 1u);
 }
 
-TEST(Trajectory, KnowsItsMemory) {
-  // 8 particles, 3 components, 7 coefficients of position and of velocity; beside them vectors and their growth.
+TEST(Trajectory, HoldsItsCoefficientsAndLittleElse) {
+  // 8 particles, 3 components, 7 coefficients of position and of velocity, and 32 bytes a piece; in a block for pieces to come an
+  // eighth of all before, up to a piece more, and the blocks themselves.
   const Problem scene = spring_cube(6);
-  const Trajectory trajectory = motion(scene, in_steps(scene, 0.125, 6), 4.0);
-  const std::size_t numbers = 32 * 2 * 7 * 8 * 3 * sizeof(double);
-  EXPECT_GE(trajectory.bytes(), numbers);
-  EXPECT_LE(trajectory.bytes(), numbers + 32 * (200 + 2 * 16 * sizeof(Coordinates<double>)));
+  const Trajectory trajectory = motion(scene, in_steps(scene, 0.125, 6), 40.0);
+  const std::size_t size = 320 * (2 * 7 * 8 * 3 * sizeof(double) + 32);
+  EXPECT_GE(trajectory.bytes(), size);
+  EXPECT_LE(trajectory.bytes(), size + size / 8 + size / 320 + 8192);
   EXPECT_EQ(Trajectory().bytes(), 0u);
+}
+
+TEST(Trajectory, HoldsAPendulumIn400BytesAStep) {
+  // 21 coefficients of position and of velocity, 336 bytes, and 32 for the piece; a block for pieces to come is 2 MiB of 40.
+  const Piece step{0.0, 1.0, Coefficients(21, 1, 1), Coefficients(21, 1, 1)};
+  constexpr int steps = 100000;
+  Trajectory trajectory;
+  for (int i = 0; i < steps; ++i) {
+    PieceView next = step;
+    next.begin = i;
+    next.end = i + 1.0;
+    trajectory.add(next);
+  }
+  EXPECT_LE(trajectory.bytes(), 400.0 * steps);
+}
+
+TEST(Trajectory, KeepsItsPiecesWhereTheyAre) {
+  // x = p on [p, p + 1]: of 1 to 40 coefficients each, in blocks of all sizes; views last while others are added.
+  Trajectory trajectory;
+  std::vector<PieceView> views;
+  constexpr int pieces = 3000;
+  for (int p = 0; p < pieces; ++p) {
+    Piece piece{p * 1.0, p + 1.0, Coefficients(1 + p % 40, 2, 2), Coefficients(1 + p % 7, 2, 2)};
+    piece.position[0].setConstant(p);
+    piece.velocity[0].setConstant(-p);
+    trajectory.add(piece);
+    views.push_back(trajectory.piece(p));
+  }
+  ASSERT_EQ(trajectory.size(), std::size_t{pieces});
+  const Trajectory copied = trajectory;
+  State<double> state;
+  for (int p = 0; p < pieces; ++p) {
+    EXPECT_EQ(views[p].position.data(0), trajectory.piece(p).position.data(0));
+    EXPECT_EQ(trajectory.piece(p).begin, p);
+    EXPECT_EQ(trajectory.piece(p).end, p + 1);
+    EXPECT_EQ(trajectory.piece(p).position.size(), 1u + p % 40);
+    copied.at(p + 0.5, state);
+    EXPECT_EQ(state.position, Coordinates<double>::Constant(2, 2, p));
+    EXPECT_EQ(state.velocity, Coordinates<double>::Constant(2, 2, -p));
+  }
+}
+
+TEST(Trajectory, WritesIntoTheMemoryOfAState) {
+  const Problem scene = spring_cube(7);
+  const Trajectory trajectory = motion(scene, in_steps(scene, 0.125, 6), 1.0);
+  State<double> state = scene.start;
+  const double *position = state.position.data(), *velocity = state.velocity.data();
+  trajectory.at(0.7, state);
+  EXPECT_EQ(state.position, trajectory.at(0.7).position);
+  EXPECT_EQ(state.velocity, trajectory.at(0.7).velocity);
+  EXPECT_EQ(state.time, 0.7);
+  EXPECT_EQ(state.position.data(), position);
+  EXPECT_EQ(state.velocity.data(), velocity);
 }
 
 }  // namespace

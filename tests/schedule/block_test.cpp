@@ -195,9 +195,9 @@ TEST(BlockSteps, RecordAMotionWithoutJumps) {
   Trajectory motion;
   ASSERT_EQ(record(schedule, state, 1.0, motion).outcome, Outcome::success);
   EXPECT_LT(distance(motion.at(1.0), state), 1e-13);
-  for (std::size_t p = 1; p < motion.pieces().size(); ++p) {
-    const auto& piece = motion.pieces()[p];
-    EXPECT_LT(distance(motion.pieces()[p - 1].at(piece.begin), piece.at(piece.begin)), 1e-13);
+  for (std::size_t p = 1; p < motion.size(); ++p) {
+    const PieceView piece = motion.piece(p);
+    EXPECT_LT(distance(motion.piece(p - 1).at(piece.begin), piece.at(piece.begin)), 1e-13);
   }
 }
 
@@ -210,7 +210,7 @@ TEST(BlockSteps, RecordTheSameMotionHoweverARunIsCut) {
   ASSERT_EQ(record(at_once, whole, 1.0, one).outcome, Outcome::success);
   for (const double until : {0.123, 0.5, 0.777, 1.0})
     ASSERT_EQ(record(in_parts, cut, until, parts).outcome, Outcome::success);
-  EXPECT_GT(parts.pieces().size(), one.pieces().size());
+  EXPECT_GT(parts.size(), one.size());
   for (int k = 0; k <= 100; ++k) EXPECT_LT(distance(one.at(0.01 * k), parts.at(0.01 * k)), 1e-13) << k;
 }
 

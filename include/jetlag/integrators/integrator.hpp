@@ -34,6 +34,13 @@ class Integrator {
   /// The motion during the step that was taken last: begin is the time at its beginning.
   virtual Piece piece() const = 0;
 
+  /// The same where it stands, until the next step or the next call. Without a copy where the method has its coefficients at
+  /// hand.
+  virtual PieceView motion() const {
+    kept_ = piece();
+    return kept_;
+  }
+
   virtual const Work& work() const = 0;
 
   /// What the steps so far may have got wrong although they succeeded, in a sentence. Empty: nothing that is known.
@@ -41,6 +48,9 @@ class Integrator {
 
   /// What the Courant limit of its steps stands on, if it has one.
   virtual std::optional<CourantFrequency> courant_frequency() const { return std::nullopt; }
+
+ private:
+  mutable Piece kept_;  // of `motion`
 };
 
 /// The report for a step h that does not change the time: names the fastest particle.

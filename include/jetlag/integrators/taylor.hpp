@@ -74,6 +74,7 @@ class RandomTaylor final : public Integrator {
 
   double step(State<double>& state, double limit, Report& report) override;
   Piece piece() const override;
+  PieceView motion() const override;
   const Work& work() const override { return work_; }
   std::string warning() const override { return ledger_.warning(); }
   std::optional<CourantFrequency> courant_frequency() const override { return control_.courant_frequency(); }

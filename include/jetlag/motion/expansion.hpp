@@ -95,6 +95,19 @@ class Expansion {
   void weighted_series(int last, const T* w, Coefficients& position, Coefficients& velocity) const
     requires std::same_as<T, double>;
 
+  /// Coefficients 0 .. last of the positions, last <= order(), and of the velocities, last < order(), where they stand: until the
+  /// series starts anew or grows.
+  CoefficientsView position_series(int last) const
+    requires std::same_as<T, double>
+  {
+    return {x_.data(), static_cast<std::size_t>(last + 1), particles_, dimension_, stride_};
+  }
+  CoefficientsView velocity_series(int last) const
+    requires std::same_as<T, double>
+  {
+    return {v_.data(), static_cast<std::size_t>(last + 1), particles_, dimension_, stride_};
+  }
+
   /// A bound of how far each particle goes from a straight line: sum_{n=2..last} |c_n| s^n, |.| the sum of the components
   /// of the positions' coefficients.   into: shape (particles).
   void curve(int last, const T& s, std::vector<T>& into) const;

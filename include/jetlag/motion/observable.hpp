@@ -84,11 +84,11 @@ class ObservableSeries {
   /// g along a piece, see above: one series, or several that follow each other. Terms at the end that are smaller than
   /// 2^-60 of the whole are left out. Where there is no series, or more than 10000 of them, the last one is not finite.
   /// Throws std::invalid_argument for a piece whose unit of time is not 1 s.
-  std::vector<LocalSeries> along(const Piece& piece);
+  std::vector<LocalSeries> along(const PieceView& piece);
 
   /// The sign of g all along a piece where g is linear and its first term outweighs the others by more than rounding,
   /// |c_0| > sum_{k>0} |c_k| h^k; 0 where that does not tell.
-  int sign_along(const Piece& piece) const;
+  int sign_along(const PieceView& piece) const;
 
  private:
   /// What a linear g reads: g = constant + sum of weight times input.
@@ -140,6 +140,6 @@ std::vector<Crossing> crossings(std::span<LocalSeries> series, int before = 0);
 
 /// As above for an observable along a piece. Throws std::invalid_argument when it reads a coordinate that does not
 /// exist, and where its series is not finite.
-std::vector<Crossing> crossings(const Piece& piece, const Observable& g);
+std::vector<Crossing> crossings(const PieceView& piece, const Observable& g);
 
 }  // namespace jetlag

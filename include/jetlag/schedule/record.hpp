@@ -16,9 +16,9 @@ inline Report record(Schedule& schedule, State<double>& state, double until, Tra
                      RunOptions options = {}) {
   auto& after_step = options.observer.after_step;
   after_step = [&trajectory, then = std::move(after_step)](const StepView& view) {
-    Piece piece = view.piece();
+    PieceView piece = view.motion();
     piece.end = view.end();
-    trajectory.add(std::move(piece));
+    trajectory.add(piece);
     return !then || then(view);
   };
   return schedule.run(state, until, options);

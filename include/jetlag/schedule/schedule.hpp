@@ -31,11 +31,18 @@ class StepView {
   virtual const State<double>& state() const = 0;
   /// The motion during the step: its begin is that of the step.
   virtual Piece piece() const = 0;
+  /// The same where it stands, until the observer returns or asks again. With one clock without a copy where the method has its
+  /// coefficients at hand.
+  virtual PieceView motion() const {
+    kept_ = piece();
+    return kept_;
+  }
   /// The cost so far.
   virtual const Work& work() const = 0;
 
  private:
   double begin_, end_;
+  mutable Piece kept_;  // of `motion`
 };
 
 /// A particle received a new piece.

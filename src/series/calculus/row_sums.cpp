@@ -46,11 +46,11 @@ template <class V>
   largest = largest < size ? size : largest;
 }
 
-template <class V, int n>
+template <class V, int n, class Weight>
 [[gnu::always_inline]] inline void sum(const double* c, std::size_t next_order, int first, int last,
-                                       const double* w, double s, double* into) {
+                                       const Weight& w, double s, double* into) {
   V total[n];
-  horner<V, n>(c, next_order, first, last, [w](int k) { return w[k]; }, s, total);
+  horner<V, n>(c, next_order, first, last, w, s, total);
   std::memcpy(into, total, sizeof total);
 }
 
@@ -159,10 +159,28 @@ template <int most, class F>
 
 JETLAG_WIDE void sum_rows(const double* c, std::size_t next_order, std::size_t count, int first, int last,
                           const double* w, const double& s, double* into) {
-  for_widths<4>(
-      count, [=, s = s](auto numbers, auto times, std::size_t begin) __attribute__((always_inline)) {
-        sum<typename decltype(numbers)::type, times>(c + begin, next_order, first, last, w, s, into + begin);
-      });
+  for_widths<4>(count, [=, s = s](auto numbers, auto times,
+                                  std::size_t begin) __attribute__((always_inline)) {
+    const auto weight = [w](int k) { return w[k]; };
+    sum<typename decltype(numbers)::type, times>(c + begin, next_order, first, last, weight, s, into + begin);
+  });
+}
+
+JETLAG_WIDE void sum_rows(const double* c, std::size_t next_order, std::size_t count, int last, double s,
+                          double* into) {
+  for_widths<4>(count, [=](auto numbers, auto times, std::size_t begin) __attribute__((always_inline)) {
+    const auto weight = [](int) { return 1.0; };
+    sum<typename decltype(numbers)::type, times>(c + begin, next_order, 0, last, weight, s, into + begin);
+  });
+}
+
+JETLAG_WIDE void sum_at_times(const double* c, std::size_t next_order, int last, const double* s,
+                              double* into) {
+  static_assert(sizeof(Four) == times_beside * sizeof(double));
+  Four time, total{};
+  load(s, time);
+  for (int k = last; k >= 0; --k) total = total * time + c[k * next_order];
+  std::memcpy(into, &total, sizeof total);
 }
 
 JETLAG_WIDE void compare_rows(const double* x, const double* ahead, std::size_t next_order, std::size_t count,

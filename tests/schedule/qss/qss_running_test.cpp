@@ -46,11 +46,11 @@ TEST(Qss, LeavesATrajectoryThatMeetsItself) {
   State<double> state = cube.start;
   Trajectory motion;
   ASSERT_EQ(record(qss, state, 1.0, motion).outcome, Outcome::success);
-  EXPECT_EQ(motion.pieces().size(), qss.work().steps + 1);
-  for (std::size_t p = 1; p < motion.pieces().size(); ++p) {  // continuous but for rounding
-    const double t = motion.pieces()[p].begin;
-    EXPECT_LT((motion.pieces()[p - 1].at(t).position - motion.pieces()[p].at(t).position).norm(), 1e-14);
-    EXPECT_LT((motion.pieces()[p - 1].at(t).velocity - motion.pieces()[p].at(t).velocity).norm(), 1e-14);
+  EXPECT_EQ(motion.size(), qss.work().steps + 1);
+  for (std::size_t p = 1; p < motion.size(); ++p) {  // continuous but for rounding
+    const double t = motion.piece(p).begin;
+    EXPECT_LT((motion.piece(p - 1).at(t).position - motion.piece(p).at(t).position).norm(), 1e-14);
+    EXPECT_LT((motion.piece(p - 1).at(t).velocity - motion.piece(p).at(t).velocity).norm(), 1e-14);
   }
   EXPECT_NEAR((motion.at(1.0).position - state.position).norm(), 0, 1e-14);
 }

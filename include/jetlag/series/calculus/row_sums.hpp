@@ -33,6 +33,12 @@ void sum_rows(const T* c, std::size_t next_order, std::size_t count, int first, 
 }
 void sum_rows(const double* c, std::size_t next_order, std::size_t count, int first, int last,
               const double* w, const double& s, double* into);
+/// With weights 1 from order 0 on: sum_{n=0..last} c_n s^n.
+void sum_rows(const double* c, std::size_t next_order, std::size_t count, int last, double s, double* into);
+
+/// One number at several times s: the same sums.
+inline constexpr std::size_t times_beside = 4;
+void sum_at_times(const double* c, std::size_t next_order, int last, const double* s, double* into);
 
 /// Takes in how far the coefficients x lead from those at the end, `ahead`, which are known to order 2.
 template <class T>
