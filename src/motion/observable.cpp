@@ -9,6 +9,7 @@
 #include "jetlag/base/text.hpp"
 #include "jetlag/series/calculus/first_change.hpp"
 #include "jetlag/series/calculus/roots.hpp"
+#include "motion/terms.hpp"
 
 namespace jetlag {
 
@@ -18,27 +19,6 @@ template <class Rows>
 double entry(const Rows& rows, const Input& input) {
   return rows(input.participant, input.component);
 }
-
-int sign(double x) { return (x > 0) - (x < 0); }
-
-/// |c_k| h^k, and their sum.
-struct Terms {
-  Terms(const std::vector<double>& c, double h) {
-    double power = 1;
-    for (const double x : c) {
-      term.push_back(std::abs(x) * power);
-      sum += term.back();
-      power *= h;
-    }
-  }
-  /// Whether the last two are below rounding; two, because one may vanish by symmetry.
-  bool converge() const {
-    const std::size_t n = term.size() - 1;
-    return n == 0 || term[n] + term[n - 1] <= std::numeric_limits<double>::epsilon() * sum;
-  }
-  std::vector<double> term;
-  double sum = 0;
-};
 
 }  // namespace
 
@@ -61,54 +41,6 @@ ObservableSeries::ObservableSeries(const Observable& g)
   find_linear_terms();
 }
 
-/// Where no rule reads older coefficients and nothing is chosen, g is linear. Coefficient 1 where that of one input is 1 is the
-/// weight of this input; the constant has no part in it.
-void ObservableSeries::find_linear_terms() {
-  const Program& program = blocks_.program();
-  is_linear_ = program.histories == 0 && program.conditions.empty() && !program.is_static;
-  if (!is_linear_) return;
-  for (const auto& loaded : program.inputs) *blocks_.at(0, loaded.place, 0) = 0.0;
-  blocks_.run(0, 0);
-  constant_ = coefficient(0);
-  blocks_.reserve(2);
-  for (const auto& loaded : program.inputs) *blocks_.at(0, loaded.place, 1) = 0.0;
-  for (const auto& [place, input] : program.inputs) {
-    *blocks_.at(0, place, 1) = 1.0;
-    blocks_.run(0, 1);
-    terms_.push_back({input, coefficient(1)});
-    *blocks_.at(0, place, 1) = 0.0;
-  }
-}
-
-int ObservableSeries::sign_along(const PieceView& piece) const {
-  if (!is_linear_ || piece.unit != 1) return 0;
-  const double h = time_between(piece.begin, piece.end);
-  double first = constant_, sizes = std::abs(constant_);
-  const auto add = [&](double term) {
-    first += term;
-    sizes += std::abs(term);
-  };
-  for (const auto& [input, weight] : terms_)
-    add(weight * (input.kind == Input::Kind::time       ? piece.begin
-                  : input.kind == Input::Kind::position ? entry(piece.position[0], input)
-                                                        : entry(piece.velocity[0], input)));
-  double rest = 0;
-  for (std::size_t k = std::max(piece.position.size(), piece.velocity.size()); k-- > 1;) {
-    double c = 0;
-    for (const auto& [input, weight] : terms_) {
-      if (input.kind == Input::Kind::time) {
-        if (k == 1) c += weight;
-        continue;
-      }
-      const CoefficientsView& series = input.kind == Input::Kind::position ? piece.position : piece.velocity;
-      if (k < series.size()) c += weight * entry(series[k], input);
-    }
-    rest = (rest + std::abs(c)) * h;
-  }
-  const bool outweighs = std::abs(first) > 1.001 * rest && std::abs(first) > 0x1p-40 * sizes;
-  return outweighs ? sign(first) : 0;
-}
-
 double ObservableSeries::coefficient(int k) {
   const Place place = blocks_.program().outputs[0];
   return k > 0 && place.space == Place::Space::statics ? 0.0 : *blocks_.at(0, place, k);
@@ -121,26 +53,6 @@ double ObservableSeries::operator()(const State<double>& state) {
                                                                      : entry(state.velocity, input);
   blocks_.run(0, 0);
   return coefficient(0);
-}
-
-std::vector<LocalSeries> ObservableSeries::along(const PieceView& piece) {
-  if (piece.unit != 1)
-    throw std::invalid_argument(
-        "an observable is followed in seconds, in which the coefficients of this motion over- or underflow: "
-        "measure "
-        "its time in another unit");
-  Rows rows;
-  for (const auto& [place, input] : blocks_.program().inputs) {
-    std::vector<double>& row = rows.emplace_back();
-    if (input.kind == Input::Kind::time)
-      row = {piece.begin, 1.0};
-    else
-      for (const auto& coefficient : input.kind == Input::Kind::position ? piece.position : piece.velocity)
-        row.push_back(entry(coefficient, input));
-  }
-  std::vector<LocalSeries> all;
-  append({std::move(rows), piece.begin}, piece.end, 0, all);
-  return all;
 }
 
 ObservableSeries::Course ObservableSeries::Course::from(double t) const {
@@ -204,10 +116,6 @@ double ObservableSeries::value(const Course& course, double t) {
   blocks_.run(0, 0);
   return coefficient(0);
 }
-
-/// Two values of g that are computed in different ways, where the terms of its series add up to `size`: cancellation in g may
-/// take half of the digits.
-constexpr double same_value = 0x1p-30;
 
 bool ObservableSeries::is_right(const Course& course, const LocalSeries& series, double s) {
   const double t = series.begin + s;
@@ -292,6 +200,30 @@ void ObservableSeries::append(Course course, double end, int halvings, std::vect
   }
 }
 
+std::vector<LocalSeries> ObservableSeries::along(const PieceView& piece) {
+  if (piece.unit != 1)
+    throw std::invalid_argument(
+        "an observable is followed in seconds, in which the coefficients of this motion over- or underflow: "
+        "measure "
+        "its time in another unit");
+  std::vector<LocalSeries> all;
+  if (std::vector<double> c = combined(piece); !c.empty()) {
+    push({piece.begin, piece.end, std::move(c)}, all);
+    return all;
+  }
+  Rows rows;
+  for (const auto& [place, input] : blocks_.program().inputs) {
+    std::vector<double>& row = rows.emplace_back();
+    if (input.kind == Input::Kind::time)
+      row = {piece.begin, 1.0};
+    else
+      for (const auto& coefficient : input.kind == Input::Kind::position ? piece.position : piece.velocity)
+        row.push_back(entry(coefficient, input));
+  }
+  append({std::move(rows), piece.begin}, piece.end, 0, all);
+  return all;
+}
+
 /// Where there is no series: g by its values at the ends (where it has a pole there, one double inside), and the place between
 /// them where its sign changes, from or to zero as well.
 void ObservableSeries::append_values(const Course& course, double end, std::vector<LocalSeries>& all) {
@@ -324,75 +256,5 @@ void ObservableSeries::append_values(const Course& course, double end, std::vect
 double LocalSeries::at(double t) const { return accurate_value(c, time_between(begin, t)); }
 
 bool LocalSeries::is_finite() const { return std::isfinite(rounding_of(c, 2 * (end - begin))); }
-
-namespace {
-/// The sign of a polynomial right after 0.
-int first_sign(const std::vector<double>& c) {
-  const auto first = std::ranges::find_if(c, [](double x) { return x != 0; });
-  return first == c.end() ? 0 : sign(*first);
-}
-
-/// Where two series join in one value: g comes there with the sign `side`, that after the last crossing. Returns the sign
-/// that it has had before it became zero there. Where g is zero its last series crosses zero on the way beyond its end, or has
-/// not yet done so: neither is a crossing, and what is found of it is taken back. Whether there is one, the signs before and
-/// after tell.
-int side_at_join(const LocalSeries& before, LocalSeries& after, int side, std::vector<Crossing>& found) {
-  std::vector<double>& c = after.c;
-  const double h = before.end - before.begin;
-  if (sign(c[0]) != side && !before.to_change && c[0] != 0) {
-    const double value = accurate_value(before.c, h);
-    c[0] = sign(value) == side ? value : 0;
-  }
-  if (c[0] != 0 && (sign(c[0]) == side || !before.to_change)) return side;
-  if (std::abs(c[0]) <= 0x1p-40 * Terms(c, after.end - after.begin).sum) c[0] = 0;
-  const auto is_beyond = [&](double t) {  // between there and the end g is next to zero
-    return std::abs(before.at(t + 0.5 * (before.end - t))) <= same_value * Terms(before.c, h).sum;
-  };
-  if (!found.empty() && found.back().time > before.begin && is_beyond(found.back().time)) {
-    side = found.back().rising ? -1 : 1;
-    found.pop_back();
-  }
-  return side;
-}
-}  // namespace
-
-std::vector<Crossing> crossings(std::span<LocalSeries> series, int before) {
-  std::vector<Crossing> found;
-  int side = before;  // the last sign of g that was not zero; 0: none since it began, or since it jumped
-  const LocalSeries* last = nullptr;
-  for (LocalSeries& local : series) {
-    double leaves = local.begin;  // when g has left zero, if it begins there
-    if (!last) {
-      leaves = std::min(std::nextafter(local.begin, std::numeric_limits<double>::infinity()), local.end);
-      if (local.c[0] != 0) side = 0;
-    } else if (local.join == LocalSeries::Join::jump) {
-      side = 0;
-    } else if (local.join == LocalSeries::Join::value) {
-      side = side_at_join(*last, local, side, found);
-    }
-    last = &local;
-    const int goes = first_sign(local.c);
-    if (side * goes < 0) found.push_back({leaves, goes > 0});
-    if (goes != 0) side = goes;
-    const double h = time_between(local.begin, local.end);
-    if (h > 0)
-      for (const auto& [s, rising] : sign_changes(local.c, h)) {
-        found.push_back({time_after(local.begin, s), rising});
-        side = rising ? 1 : -1;
-      }
-  }
-  return found;
-}
-
-std::vector<Crossing> crossings(const PieceView& piece, const Observable& g) {
-  if (piece.position.empty()) throw std::invalid_argument("crossings: a piece without coefficients");
-  const auto x = piece.position.front();
-  g.require_fit("the observable", static_cast<int>(x.rows()), static_cast<int>(x.cols()));
-  std::vector<LocalSeries> series = ObservableSeries(g).along(piece);
-  for (const LocalSeries& part : series)
-    if (!part.is_finite())
-      throw std::invalid_argument("crossings: the observable has no series at t = " + shown(part.begin));
-  return crossings(series);
-}
 
 }  // namespace jetlag

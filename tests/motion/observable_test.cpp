@@ -71,15 +71,18 @@ TEST(Observable, RefusesAPieceThatDoesNotCountSeconds) {
 }
 
 TEST(Observable, TellsTheSignOfALinearFunctionAllAlong) {
-  // g = 3 - 2 t + t^2 / 2 on [0, 1] keeps its sign, and its first term outweighs the others, 3 > 2 + 1/2. On [0, 1.5] it is
-  // still positive, but 3 < 3 + 9/8; where time is taken off, g = 3 - 4 t + .., it does not.
+  // g = 3 - 2 t + t^2 / 2 on [0, 1] keeps its sign, and its first term outweighs the others, 3 > 2 + 1/2. On [0, 1.5] 3 < 3 + 9/8,
+  // but g falls, 2 > 3/2, to 9/8. On [0, 2.5] it is still positive, but it turns, 2 < 5/2, and g = 1 - 2 t + t^2 / 2 falls to
+  // -1/2 at 1; where time is taken off, g = 3 - 4 t + .., it does not keep its sign.
   const auto sign_of = [](const auto& g, double end) {
     return ObservableSeries(Observable(g)).sign_along(polynomial(0.0, end, {3.0, -2.0, 0.5}));
   };
   const auto x = [](const auto&, const auto& position, const auto&) { return position(0, 0); };
   EXPECT_EQ(sign_of(x, 1.0), 1);
   EXPECT_EQ(sign_of([](const auto&, const auto& p, const auto&) { return 1.0 - 2.0 * p(0, 0); }, 0.5), -1);
-  EXPECT_EQ(sign_of(x, 1.5), 0);
+  EXPECT_EQ(sign_of(x, 1.5), 1);
+  EXPECT_EQ(sign_of(x, 2.5), 0);
+  EXPECT_EQ(sign_of([](const auto&, const auto& p, const auto&) { return p(0, 0) - 2.0; }, 1.0), 0);
   EXPECT_EQ(sign_of([](const auto& t, const auto& p, const auto&) { return p(0, 0) - 2.0 * t; }, 1.0), 0);
   EXPECT_EQ(
       sign_of([](const auto& t, const auto& p, const auto& v) { return p(0, 0) + t / 2.0 - v(0, 0); }, 1.0),

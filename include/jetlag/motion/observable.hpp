@@ -86,8 +86,9 @@ class ObservableSeries {
   /// Throws std::invalid_argument for a piece whose unit of time is not 1 s.
   std::vector<LocalSeries> along(const PieceView& piece);
 
-  /// The sign of g all along a piece where g is linear and its first term outweighs the others by more than rounding,
-  /// |c_0| > sum_{k>0} |c_k| h^k; 0 where that does not tell.
+  /// The sign of g all along a piece where g is linear and, by more than rounding, its first term outweighs the others,
+  /// |c_0| > sum_{k>0} |c_k| h^k, or it goes one way, |c_1| > sum_{k>1} k |c_k| h^(k-1), and has one sign at both ends; 0 where
+  /// that does not tell.
   int sign_along(const PieceView& piece) const;
 
  private:
@@ -97,6 +98,7 @@ class ObservableSeries {
     double weight;
   };
   void find_linear_terms();
+  std::vector<double> combined(const PieceView& piece);
 
   using Rows = std::vector<std::vector<double>>;  // the polynomial of each input
   /// The motion of the inputs from a time on.

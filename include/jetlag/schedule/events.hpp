@@ -29,8 +29,9 @@
 // there and the event does not fire again. For that it may stop a few doubles later than the crossing, as many as the
 // rounding of g(state) over |g'| demands.
 //
-// Cost: without events none. With events a step pays for its piece, and for each event 0.1 us where g stays away from
-// zero, some 20 us for a crossing, beside the series of g.
+// Cost: without events none. A coordinate costs a step 0.1 us where it stays away from zero or goes one way without crossing,
+// a crossing of it 1 us; another function its series in each step in which it comes near zero, one that is not linear in all:
+// sin(x) of degree 20 takes 5 us.
 
 #include <functional>
 #include <string>

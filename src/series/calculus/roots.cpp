@@ -11,7 +11,26 @@
 #include "jetlag/base/text.hpp"
 #include "jetlag/series/calculus/polynomial.hpp"
 
+/// With the instruction for it where there is one: otherwise std::fma is a call. The same bits from both.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
+#define JETLAG_FUSED [[gnu::target_clones("fma", "default")]]
+#else
+#define JETLAG_FUSED
+#endif
+
 namespace jetlag {
+
+JETLAG_FUSED double accurate_value(std::span<const double> c, double s) {
+  if (c.empty()) return 0;
+  double value = c.back(), error = 0;
+  for (std::size_t k = c.size() - 1; k-- > 0;) {
+    const double product = value * s, sum = product + c[k], part = sum - product;
+    error = error * s + (std::fma(value, s, -product) + ((product - (sum - part)) + (c[k] - part)));
+    value = sum;
+  }
+  return std::isfinite(error) ? value + error : value;
+}
 
 namespace {
 
@@ -138,14 +157,55 @@ int exact_sign(std::span<const double> c, double s) {
   return sum.empty() ? 0 : sign(sum.back());
 }
 
+/// Whether c(s) goes one way from 0 to h: |c_1| > sum_{k>1} k |c_k| h^(k-1), by more than rounding.
+bool is_monotone(std::span<const double> c, double h) {
+  double others = 0;
+  for (std::size_t k = c.size(); k-- > 2;) others = (others + static_cast<double>(k) * std::abs(c[k])) * h;
+  return std::abs(c[1]) > 1.001 * others;
+}
+
+/// Where c changes sign between low, where it has the sign `side`, and high, where it has the other: by Newton's method, from the
+/// secant on; where that leads out of what is left of the interval, by halving. Near the place, if it is a simple root to a
+/// few roundings.
+double approximate_root(std::span<const double> c, int side, double low, double high) {
+  constexpr int most = 12;
+  const double first = accurate_value(c, low), last = accurate_value(c, high);
+  double s = low + (high - low) * (first / (first - last));
+  for (int i = 0; i < most; ++i) {
+    if (!(low < s && s < high)) s = low + 0.5 * (high - low);
+    double value = c.back(), slope = 0;
+    for (std::size_t k = c.size() - 1; k-- > 0;) {
+      slope = slope * s + value;
+      value = value * s + c[k];
+    }
+    (sign(value) == side ? low : high) = s;
+    const double next = s - value / slope;
+    if (std::abs(next - s) <= 0x1p-24 * s) {
+      const double nearest = next - accurate_value(c, next) / slope;
+      return low <= nearest && nearest <= high ? nearest : s;
+    }
+    s = next;
+  }
+  return s;
+}
+
 /// The first double in (low, high] at which c no longer has the sign `side`; low >= 0 has it, high has the other.
-/// Doubles >= 0 are ordered as their bits are, so that at most 62 halvings of the bits find it.
+/// Doubles >= 0 are ordered as their bits are. From where the root is nearly the steps grow until it is passed, then halvings
+/// of the bits find it: two signs where it is known to the last bit, some 85 at most.
 double first_beyond(std::span<const double> c, int side, double low, double high) {
   auto has = std::bit_cast<std::uint64_t>(low), has_not = std::bit_cast<std::uint64_t>(high);
-  while (has_not - has > 1) {
-    const std::uint64_t middle = has + (has_not - has) / 2;
-    (exact_sign(c, std::bit_cast<double>(middle)) == side ? has : has_not) = middle;
+  const auto look = [&](std::uint64_t bits) {
+    const bool same = exact_sign(c, std::bit_cast<double>(bits)) == side;
+    (same ? has : has_not) = bits;
+    return same;
+  };
+  const double near = approximate_root(c, side, low, high);
+  if (low < near && near < high) {
+    const bool is_before = look(std::bit_cast<std::uint64_t>(near));
+    for (std::uint64_t step = 1; step < has_not - has; step *= 8)
+      if (look(is_before ? has + step : has_not - step) != is_before) break;
   }
+  while (has_not - has > 1) look(has + (has_not - has) / 2);
   return std::bit_cast<double>(has_not);
 }
 
@@ -154,17 +214,6 @@ double first_beyond(std::span<const double> c, int side, double low, double high
 double rounding_of(std::span<const double> c, double s) {
   return 4 * static_cast<double>(c.size()) * std::numeric_limits<double>::epsilon() *
          evaluate(Magnitudes{c}, std::abs(s));
-}
-
-double accurate_value(std::span<const double> c, double s) {
-  if (c.empty()) return 0;
-  double value = c.back(), error = 0;
-  for (std::size_t k = c.size() - 1; k-- > 0;) {
-    const double product = value * s, sum = product + c[k], part = sum - product;
-    error = error * s + (std::fma(value, s, -product) + ((product - (sum - part)) + (c[k] - part)));
-    value = sum;
-  }
-  return std::isfinite(error) ? value + error : value;
 }
 
 std::vector<SignChange> sign_changes(std::span<const double> c, double h) {
@@ -184,9 +233,11 @@ std::vector<SignChange> sign_changes(std::span<const double> c, double h) {
     throw std::invalid_argument("sign_changes: the polynomial overflows at h = " + shown(h));
   if (sum < 1.5 * std::abs(c[0])) return {};  // c_0 outweighs the rest
 
-  Span whole{0, end, to_bernstein(c, end)};
   std::vector<double> places;
-  separate(whole, c, places);
+  if (is_monotone(c, end))
+    places.push_back(end);
+  else
+    separate({0, end, to_bernstein(c, end)}, c, places);
 
   std::vector<SignChange> found;
   int side = sign(c[0]);
