@@ -15,6 +15,8 @@
 #include "jetlag/ensembles/ensemble.hpp"
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/motion/expansion.hpp"
+#include "jetlag/schedule/lockstep.hpp"
+#include "jetlag/schedule/record.hpp"
 
 namespace jetlag::bench {
 
@@ -146,6 +148,48 @@ void start_up(benchmark::State& run) {
   run.counters["items"] = 1;
 }
 
+// ---- dense output and events ------------------------------------------------------------------------------
+
+/// A run of some 1e5 steps to `until`, and what is asked of it: nothing, when component 0 of the last particle is zero, three states
+/// a step, or all of the motion.
+void long_run(benchmark::State& run, const std::string& name, double until, const std::string& asked) {
+  const Problem problem = bench::problem(name);
+  const auto schedule = [&] {
+    return Lockstep(taylor(problem.system, degree_of_small_systems, std::make_unique<JorbaZou>()));
+  };
+  State<double> state = problem.start;
+  Lockstep first = schedule();
+  first.run(state, until, {});
+  const auto steps = static_cast<double>(first.work().steps);
+
+  RunOptions options;
+  std::vector<EventHit> hits;
+  if (asked == "events") {
+    const int last = problem.system.particles() - 1;
+    options.events = {
+        {.name = "zero", .g = [last](const auto&, const auto& x, const auto&) { return x(last, 0); }}};
+    options.hits = &hits;
+  }
+  if (asked == "states") {
+    for (int i = 1; i <= 3 * steps; ++i) options.observer.frame_times.push_back(until * i / (3 * steps));
+    options.observer.at_frame = [](const State<double>& at) { benchmark::DoNotOptimize(at.position.data()); };
+  }
+  for (auto _ : run) {
+    Lockstep lockstep = schedule();
+    state = problem.start;
+    hits.clear();
+    Trajectory motion;
+    if (asked == "record") {
+      record(lockstep, state, until, motion, options);
+      run.counters["bytes"] = static_cast<double>(motion.bytes()) / steps;
+    } else {
+      lockstep.run(state, until, options);
+    }
+  }
+  if (state.time != until) run.SkipWithError("the run has ended early");
+  run.counters["items"] = steps;
+}
+
 // ---- ensembles --------------------------------------------------------------------------------------------
 
 /// The same system from states that differ by millionths, followed for `length` of its time in an iteration.
@@ -184,6 +228,10 @@ void register_engine() {
       benchmark::RegisterBenchmark(name("ensemble/" + of + "/" + std::to_string(members)).c_str(), ensemble,
                                    of, members, 1, length);
   }
+  for (const LongRun& of : long_runs)
+    for (const std::string asked : {"nothing", "events", "states", "record"})
+      benchmark::RegisterBenchmark(name(std::string(of.name) + "/" + asked).c_str(), long_run, of.name,
+                                   of.until, asked);
   benchmark::RegisterBenchmark(name("start_up").c_str(), start_up);
   benchmark::RegisterBenchmark(name("ensemble/kepler").c_str(), ensemble, "planar_kepler", 256, 1, 20.0);
   for (const int threads : {1, 2})

@@ -24,6 +24,14 @@ inline constexpr SmallSystem small_systems[] = {
     {"sun_jupiter_saturn", "Sun, Jupiter, Saturn", 420, 300, 270, 32},
     {"solar", "outer Solar System", 1000, 1200, 900, 32}};
 
+/// Runs of some 1e5 steps, with and without dense output and events.
+struct LongRun {
+  const char *name, *title;
+  double until;
+};
+inline constexpr LongRun long_runs[] = {{"pendulum", "pendulum", 3e4},
+                                        {"planar_kepler", "two bodies in a plane", 1.7e4}};
+
 class Reporter;
 
 /// Prints the rows that were measured in this run; nothing if none was.

@@ -104,6 +104,18 @@ void print_engine(const Reporter& reporter, std::ostream& out) {
     in_multiply_adds(std::string("  ") + system.title, name + "8", system.of_eight);
     in_multiply_adds("    of " + many, name + many, system.of_many);
   }
+  lines.push_back({"runs over those of which nothing is asked, degree 20", std::nullopt, {none}});
+  for (const LongRun& run : long_runs) {
+    const auto ratio = [&](const std::string& asked) {
+      return divided(item(std::string(run.name) + "/" + asked), item(std::string(run.name) + "/nothing"));
+    };
+    lines.push_back(
+        {std::string("  ") + run.title + ", events on a coordinate", ratio("events"), {at_most, 1.3}});
+    lines.push_back({"    three states a step", ratio("states"), {at_most, 1.3}});
+    lines.push_back({"    recorded whole", ratio("record"), {at_most, 1.5}});
+  }
+  lines.push_back(
+      {"bytes a step of the recorded pendulum", counter("pendulum/record", "bytes"), {at_most, 400}});
   out << "\nThe engine\n";
   for (const Line& line : lines) {
     out << "  " << std::left << std::setw(54) << line.what << std::right;
