@@ -93,6 +93,21 @@ TEST(Observable, TellsTheSignOfALinearFunctionAllAlong) {
       << "a choice";
 }
 
+TEST(Observable, AddsUpTheSeriesOfItsInputs) {
+  // x = 3 - 2 s + 5 s^2 at t = 1 + s, v its derivative; with weights that are powers of two nothing is rounded.
+  const Piece piece = polynomial(1.0, 2.0, {3.0, -2.0, 5.0});
+  const auto along = [&](const auto& g) { return ObservableSeries(Observable(g)).along(piece)[0].c; };
+  using C = std::vector<double>;
+  EXPECT_EQ(along([](const auto&, const auto& x, const auto&) { return 7.0 - 4.0 * x(0, 0); }),
+            (C{-5.0, 8.0, -20.0}));
+  EXPECT_EQ(along([](const auto&, const auto& x, const auto& v) { return 2.0 * x(0, 0) - 0.5 * v(0, 0); }),
+            (C{7.0, -9.0, 10.0}));
+  EXPECT_EQ(along([](const auto& t, const auto& x, const auto&) { return x(0, 0) - 4.0 * t; }),
+            (C{-1.0, -6.0, 5.0}));
+  EXPECT_EQ(along([](const auto& t, const auto& x, const auto& v) { return x(0, 0) - 4.0 * t + v(0, 0); }),
+            (C{-3.0, 4.0, 5.0}));
+}
+
 TEST(Observable, WeighsItsInputsWhateverItsConstantIs) {
   // g = .6 x + .8 y - 1e8 at y = 8e7 + .. comes down to -.2 within the step and is .3 at both ends: weights that are rounded to
   // the places of 1e8 are off by up to 7e-9, which is .6 in g.
