@@ -99,7 +99,7 @@ bool RandomTaylor::is_stuck(double time, Report& report) {
 double RandomTaylor::accept(State<double>& state, double h) {
   control_.left_at(next_.position);
   next_.time = state.time;
-  std::swap(state, next_);
+  swap(state, next_);
   last_step_ = h;
   ++update_;
   count();
@@ -108,6 +108,7 @@ double RandomTaylor::accept(State<double>& state, double h) {
 
 void RandomTaylor::begin(const State<double>& state) {
   known_.clear();
+  foreseen_.at.reset();
   series_.start(state);
   series_.draw(update_);
   series_.grow_to(control_.orders_read(stops().law(), options_.velocity));
@@ -116,8 +117,7 @@ void RandomTaylor::begin(const State<double>& state) {
 /// The state at the end of the step h. Returns whether it is finite.
 bool RandomTaylor::end(const State<double>& from, double h, Report& report) {
   series_.stop(h, update_);
-  sum(from, h, next_);
-  if (next_.position.allFinite() && next_.velocity.allFinite()) return true;
+  if (sum(from, h, next_)) return true;
   if (all_finite(expansion(), report)) all_finite(next_.position, next_.velocity, from.time, report);
   return false;
 }
@@ -223,6 +223,7 @@ StepDefect RandomTaylor::defect_of(const Expansion<double>::Departure& departure
 void RandomTaylor::take_departure(double s, int first, int end,
                                   Expansion<double>::Departure& departure) const {
   if (!known_.empty()) return take_departure_of_known(s, first, end, departure);
+  if (foreseen_.at == s) return expansion().take_departure(foreseen_.accelerations, first, end, departure);
   if (stops().shared())
     return expansion().take_departure(stops().degree(), series_.weights(0), s, first, end, departure);
   for (int i = first; i < end; ++i)
@@ -274,17 +275,25 @@ double RandomTaylor::up_to_change(double h) {
   return changes_.step(h, reach < most ? reach * unit : h, expansion().time(), change);
 }
 
-/// The state at the end of the step h.
-void RandomTaylor::sum(const State<double>& from, double h, State<double>& to) const {
+/// The state at the end of the step h. Returns whether it is finite.
+bool RandomTaylor::sum(const State<double>& from, double h, State<double>& to) {
   const double s = h / expansion().time_unit();
+  foreseen_.at.reset();
   if (options_.compensated) {
     to = from;
-    return add_increments(to, s);
+    add_increments(to, s);
+    return to.position.allFinite() && to.velocity.allFinite();
   }
   to.time = from.time;
   to.drop_rests();
+  if (known_.empty() && stops().shared() && options_.velocity == VelocitySeries::own_series) {
+    foreseen_.at = s;
+    return expansion().motion_sum(stops().degree(), series_.weights(0), s, to.position, to.velocity,
+                                  foreseen_.accelerations);
+  }
   weighted_sum(false, s, 0, to.position);
   weighted_sum(true, s, 0, to.velocity);
+  return to.position.allFinite() && to.velocity.allFinite();
 }
 
 /// The state at the end of the step in compensated sums, s = h / time unit:   x + (s sum_{n>=1} w_n x_n s^(n-1)).

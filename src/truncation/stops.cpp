@@ -35,6 +35,7 @@ Stops::Stops(const Truncation& law, Draw draws, std::uint64_t seed, bool shared,
 }
 
 void Stops::draw(std::uint64_t update) {
+  if (law_.is_fixed() && !weights_differ_) return;  // the degree is that of the beginning
   for (std::size_t i = 0; i < draws(); ++i) {
     degree_[i] = is_drawn(i) ? drawn(key(i), update) : law_.min_degree();
     if (weights_differ_)

@@ -183,5 +183,37 @@ TEST(LookAhead, DepartsByTheTermsThatAreLeftOut) {
     }
 }
 
+/// The sums of a step, taken at once, are those taken one by one, and so is the departure from the forces at its end: bits. 25
+/// particles in space fill more than one batch of rows, an oscillator is a number.
+TEST(LookAhead, DepartsFromSumsTakenAtOnceAsFromEachAlone) {
+  const int degree = 6;
+  const std::vector<double> weights{1, 1, 1, 1.5, 2, 4, 8};
+  for (const Problem& scene : {problems::cloth(5), oscillator(1.0, 0.5, 0.5)}) {
+    const double s = 0.01;
+    Expansion<double> series(scene.system);
+    series.start(scene.start);
+    series.grow_to(degree + 1);
+    State<double> end = scene.start;
+    Coordinates<double> position, velocity;
+    AlignedVector<double> leads_to;
+    EXPECT_TRUE(series.motion_sum(degree, weights.data(), s, end.position, end.velocity, leads_to));
+    series.position_sum(0, degree, weights.data(), s, position);
+    series.velocity_sum(0, degree, weights.data(), s, velocity);
+    EXPECT_EQ(end.position, position);
+    EXPECT_EQ(end.velocity, velocity);
+    series.look_ahead(end, 2);
+    const int particles = scene.system.particles();
+    for (const auto& [first, last] : {std::pair(0, particles), std::pair(particles - 1, particles)}) {
+      Expansion<double>::Departure together, alone;
+      series.take_departure(leads_to, first, last, together);
+      series.take_departure(degree, weights.data(), s, first, last, alone);
+      EXPECT_EQ(together.force, alone.force);
+      EXPECT_EQ(together.position, alone.position);
+      EXPECT_EQ(together.velocity[1], alone.velocity[1]);
+      EXPECT_EQ(together.acceleration[0], alone.acceleration[0]);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace jetlag::testing::look_ahead_test

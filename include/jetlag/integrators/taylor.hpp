@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "jetlag/control/to_kinks.hpp"
@@ -103,7 +104,7 @@ class RandomTaylor final : public Integrator {
   double ratio_of_orders(const StepDefect& defect) const;
   bool add_to_ledger(const State<double>& from, const StepDefect& defect);
   int most_departed(double h) const;
-  void sum(const State<double>& from, double h, State<double>& to) const;
+  bool sum(const State<double>& from, double h, State<double>& to);
   void add_increments(State<double>& state, double s) const;
   void weighted_sum(bool of_velocity, double s, int first, Coordinates<double>& sum) const;
   void count();
@@ -132,6 +133,11 @@ class RandomTaylor final : public Integrator {
   std::vector<bool> fixed_;
   int moving_;
   State<double> next_;  // room for the state at the end of a step
+  struct Foreseen {
+    std::optional<double> at;  // the time of the last sum, in units of the series, if they come from it
+    AlignedVector<double> accelerations;  // to which the series leads there, see Expansion::motion_sum
+  };
+  Foreseen foreseen_;
   std::uint64_t update_ = 0;
   double last_step_ = 0, proposed_ = 0;
   int ahead_;  // orders that every step needs

@@ -44,6 +44,15 @@ struct State {
     position_rest.resize(0, 0);
     velocity_rest.resize(0, 0);
   }
+
+  /// Without a third one.
+  friend void swap(State& a, State& b) {
+    std::swap(a.time, b.time);
+    a.position.swap(b.position);
+    a.velocity.swap(b.velocity);
+    a.position_rest.swap(b.position_rest);
+    a.velocity_rest.swap(b.velocity_rest);
+  }
 };
 
 /// Throws std::invalid_argument unless positions and velocities have the shape (particles, dimension), and so their

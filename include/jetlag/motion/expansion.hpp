@@ -91,6 +91,12 @@ class Expansion {
   void position_sum(int first, int last, const T* w, const T& s, Coordinates<T>& into) const;
   void velocity_sum(int first, int last, const T* w, const T& s, Coordinates<T>& into) const;
 
+  /// Both from order 0, and the accelerations to which the positions lead,
+  /// time_unit^2 a = sum_{n=2..last} n (n-1) w_n x_n s^(n-2), in padded rows; all with the bits of each alone, in a third of the
+  /// time. Returns whether positions and velocities are finite.
+  bool motion_sum(int last, const T* w, const T& s, Coordinates<T>& position, Coordinates<T>& velocity,
+                  AlignedVector<T>& leads_to) const;
+
   /// Terms w_n c_n of the positions and the velocities up to order last < order().
   void weighted_series(int last, const T* w, Coefficients& position, Coefficients& velocity) const
     requires std::same_as<T, double>;
@@ -124,6 +130,8 @@ class Expansion {
   using Departure = RowDeparture<T>;
   /// w: weights of the terms 0 .. last of the positions. Of the particles from first to before end.
   void take_departure(int last, const T* w, const T& s, int first, int end, Departure& departure) const;
+  /// leads_to: of motion_sum.
+  void take_departure(const AlignedVector<T>& leads_to, int first, int end, Departure& departure) const;
 
   /// Whether a force makes choices that may change; see forces/force.hpp.
   bool has_conditions() const;
@@ -151,7 +159,8 @@ class Expansion {
   T* at(AlignedVector<T>& series, int k) { return series.data() + k * row_size(); }
   CoefficientView<T> view(const AlignedVector<T>& series, int k) const;
   T norm(const AlignedVector<T>& series, int k) const;
-  /// Rows of coordinates in padded rows.
+  /// Rows of coordinates in padded rows, and back: `count` rows from the first one on.
+  void unpad(const T* padded, std::size_t first, std::size_t count, Coordinates<T>& rows) const;
   void pad(const Coordinates<T>& rows, T* to) const;
   bool pads(const Coordinates<T>& rows, const T* padded) const;
   void begin(const State<T>& state, const T& time_unit);

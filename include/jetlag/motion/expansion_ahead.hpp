@@ -3,6 +3,7 @@
 // A look at the next state, whose first orders stay for the start from there: definitions of expansion.hpp, which includes them.
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <utility>
 
@@ -74,9 +75,23 @@ void Expansion<T>::go_ahead(const T& time) {
 template <class T>
 void Expansion<T>::take_departure(int last, const T* w, const T& s, int first, int end,
                                   Departure& departure) const {
+  constexpr std::size_t width = 64;
+  std::array<T, width> leads_to;
+  const std::size_t stop = static_cast<std::size_t>(end) * stride_;
+  for (std::size_t begin = static_cast<std::size_t>(first) * stride_; begin < stop; begin += width) {
+    const std::size_t size = std::min(width, stop - begin);
+    detail::sum_accelerations(x_.data() + begin, row_size(), size, last, w, s, leads_to.data());
+    detail::compare_ends(leads_to.data(), x_.data() + begin, ahead_.x.data() + begin, row_size(), size,
+                         departure);
+  }
+}
+
+template <class T>
+void Expansion<T>::take_departure(const AlignedVector<T>& leads_to, int first, int end,
+                                  Departure& departure) const {
   const std::size_t begin = static_cast<std::size_t>(first) * stride_;
-  detail::compare_rows(x_.data() + begin, ahead_.x.data() + begin, row_size(),
-                       static_cast<std::size_t>(end - first) * stride_, last, w, s, departure);
+  detail::compare_ends(leads_to.data() + begin, x_.data() + begin, ahead_.x.data() + begin, row_size(),
+                       static_cast<std::size_t>(end - first) * stride_, departure);
 }
 
 }  // namespace jetlag

@@ -136,53 +136,6 @@ void Expansion<T>::grow_to(int order) {
 }
 
 template <class T>
-void Expansion<T>::position_sum(int first, int last, const T* w, const T& s, Coordinates<T>& into) const {
-  sum(x_, first, last, w, s, into);
-}
-
-template <class T>
-void Expansion<T>::velocity_sum(int first, int last, const T* w, const T& s, Coordinates<T>& into) const {
-  sum(v_, first, last, w, s, into);
-}
-
-template <class T>
-void Expansion<T>::weighted_series(int last, const T* w, Coefficients& position, Coefficients& velocity) const
-  requires std::same_as<T, double>
-{
-  for (auto* terms : {&position, &velocity}) {
-    const AlignedVector<T>& series = terms == &position ? x_ : v_;
-    *terms = Coefficients(last + 1, particles_, dimension_);
-    for (int n = 0; n <= last; ++n)
-      detail::for_components(
-          particles_, dimension_,
-          [to = terms->data(n), from = series.data() + n * row_size(), weight = w[n], d = dimension_,
-           stride = stride_](std::size_t i, int c) { to[i * d + c] = weight * from[i * stride + c]; });
-  }
-}
-
-template <class T>
-void Expansion<T>::curve(int last, const T& s, std::vector<T>& into) const {
-  using std::abs;
-  constexpr std::size_t width = 8;
-  into.assign(particles_, T(0));
-  const std::size_t rows = row_size();
-  const int log_stride = std::bit_width(static_cast<unsigned>(stride_)) - 1;
-  std::array<T, width> total;
-  for (std::size_t begin = 0; begin < rows; begin += width) {
-    const std::size_t size = std::min(width, rows - begin);
-    total.fill(T(0));
-    for (int n = last; n >= 2; --n) {
-      const T* c = x_.data() + n * rows + begin;
-      if (size == width)
-        for (std::size_t i = 0; i < width; ++i) total[i] = (total[i] + abs(c[i])) * s;
-      else
-        for (std::size_t i = 0; i < size; ++i) total[i] = (total[i] + abs(c[i])) * s;
-    }
-    for (std::size_t i = 0; i < size; ++i) into[(begin + i) >> log_stride] += total[i] * s;
-  }
-}
-
-template <class T>
 bool Expansion<T>::has_conditions() const {
   return std::ranges::any_of(laws_, [](const auto& law) { return law.count() > 0 && law.has_conditions(); });
 }
@@ -209,40 +162,6 @@ template <class T>
 CoefficientView<T> Expansion<T>::view(const AlignedVector<T>& series, int k) const {
   assert(0 <= k && k <= order_);
   return {series.data() + k * row_size(), particles_, dimension_, Eigen::OuterStride<>(stride_)};
-}
-
-template <class T>
-T Expansion<T>::norm(const AlignedVector<T>& series, int k) const {
-  using std::abs;
-  assert(0 <= k && k <= order_);
-  const T* c = series.data() + k * row_size();
-  T most(0), zero(0);
-  for (std::size_t i = 0; i < row_size(); ++i) {
-    const T size = abs(c[i]);
-    most = most < size ? size : most;
-    zero = zero + size * T(0);
-  }
-  return most + zero;
-}
-
-template <class T>
-void Expansion<T>::sum(const AlignedVector<T>& series, int first, int last, const T* w, const T& s,
-                       Coordinates<T>& into) const {
-  constexpr std::size_t width = 64;
-  into.resize(particles_, dimension_);
-  const std::size_t rows = row_size();
-  std::array<T, width> total;
-  for (std::size_t begin = 0; begin < rows; begin += width) {
-    const std::size_t size = std::min(width, rows - begin), row = begin / stride_;
-    if (stride_ == dimension_) {
-      detail::sum_rows(series.data() + begin, rows, size, first, last, w, s, into.data() + begin);
-      continue;
-    }
-    detail::sum_rows(series.data() + begin, rows, size, first, last, w, s, total.data());
-    detail::for_components(static_cast<int>(size / stride_), dimension_,
-                           [=, &total, to = into.data(), d = dimension_, stride = stride_](
-                               std::size_t i, int c) { to[(row + i) * d + c] = total[i * stride + c]; });
-  }
 }
 
 template <class T>
@@ -382,3 +301,4 @@ void Expansion<T>::reserve(int degree) {
 }  // namespace jetlag
 
 #include "jetlag/motion/expansion_ahead.hpp"
+#include "jetlag/motion/expansion_sums.hpp"

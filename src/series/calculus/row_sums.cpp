@@ -13,201 +13,297 @@ namespace jetlag::detail {
 
 namespace {
 
-constexpr std::size_t lanes = 8;
+#define JETLAG_INLINE [[gnu::always_inline]] inline
 
-using Four [[gnu::vector_size(32)]] = double;
-using Two [[gnu::vector_size(16)]] = double;
-
-/// V is one number or several beside each other.
+// V is one number or several beside each other.
 template <class V>
-[[gnu::always_inline]] inline void load(const double* from, V& numbers) {
+constexpr std::size_t width = sizeof(V) / sizeof(double);
+
+template <class V>
+JETLAG_INLINE void load(const double* from, V& numbers) {
   std::memcpy(&numbers, from, sizeof numbers);
 }
-
-/// sum_{n=first..last} w(n) c_n s^(n-first), n times V.
-template <class V, int n, class Weight>
-[[gnu::always_inline]] inline void horner(const double* c, std::size_t next_order, int first, int last,
-                                          const Weight& w, double s, V* total) {
-  constexpr std::size_t width = sizeof(V) / sizeof(double);
-  for (int i = 0; i < n; ++i) total[i] = V{};
-  for (int k = last; k >= first; --k) {
-    const double weight = w(k);
-    for (int i = 0; i < n; ++i) {
-      V next;
-      load(c + k * next_order + i * width, next);
-      total[i] = total[i] * s + weight * next;
-    }
-  }
-}
-
 template <class V>
-[[gnu::always_inline]] inline void take(const V& numbers, V& largest) {
+JETLAG_INLINE void store(double* to, const V& numbers) {
+  std::memcpy(to, &numbers, sizeof numbers);
+}
+template <class V>
+JETLAG_INLINE void take(const V& numbers, V& largest) {
   const V size = numbers < -numbers ? -numbers : numbers;
   largest = largest < size ? size : largest;
 }
 
-template <class V, int n, class Weight>
-[[gnu::always_inline]] inline void sum(const double* c, std::size_t next_order, int first, int last,
-                                       const Weight& w, double s, double* into) {
-  V total[n];
-  horner<V, n>(c, next_order, first, last, w, s, total);
-  std::memcpy(into, total, sizeof total);
+// ---- how many at a time -----------------------------------------------------------------------------------
+
+/// Calls f(V, n, begin) for numbers from begin on, n times V of them: `most` at a time, then fewer.
+template <class V, int most, class F>
+JETLAG_INLINE void for_registers(std::size_t count, std::size_t& begin, const F& f) {
+  for (; begin + most * width<V> <= count; begin += most * width<V>)
+    f(std::type_identity<V>{}, std::integral_constant<int, most>{}, begin);
+  if constexpr (most > 1) for_registers<V, most / 2>(count, begin, f);
 }
+
+/// The same for all numbers, those that are left over in narrower registers.
+template <class V, int most, class F>
+JETLAG_INLINE void for_all(std::size_t count, const F& f) {
+  std::size_t begin = 0;
+  for_registers<V, most>(count, begin, f);
+  if constexpr (width<V> >= 8) for_registers<FourNumbers, 1>(count, begin, f);
+  if constexpr (width<V> >= 4) for_registers<TwoNumbers, 1>(count, begin, f);
+  for_registers<double, 1>(count, begin, f);
+}
+
+// ---- sums -------------------------------------------------------------------------------------------------
+
+/// sum_{n=first..last} w(n) c_n s^(n-first), n times V.
+template <class V, int n, class Weight>
+JETLAG_INLINE void sum(const double* c, std::size_t next_order, int first, int last, const Weight& w,
+                       double s, double* into) {
+  V total[n] = {};
+  for (int k = last; k >= first; --k) {
+    const double weight = w(k);
+    for (int i = 0; i < n; ++i) {
+      V next;
+      load(c + k * next_order + i * width<V>, next);
+      total[i] = total[i] * s + weight * next;
+    }
+  }
+  for (int i = 0; i < n; ++i) store(into + i * width<V>, total[i]);
+}
+
+struct SumRows {
+  template <class V>
+  JETLAG_INLINE static void run(const double* c, std::size_t next_order, std::size_t count, int first,
+                                int last, const double* w, double s, double* into) {
+    for_all<V, 4>(count, [=](auto v, auto n, std::size_t begin) __attribute__((always_inline)) {
+      const auto weight = [w](int k) __attribute__((always_inline)) { return w[k]; };
+      sum<typename decltype(v)::type, n>(c + begin, next_order, first, last, weight, s, into + begin);
+    });
+  }
+};
+
+/// The same with weights 1, from order 0 on.
+struct SumRowsOfOnes {
+  template <class V>
+  JETLAG_INLINE static void run(const double* c, std::size_t next_order, std::size_t count, int last,
+                                double s, double* into) {
+    for_all<V, 4>(count, [=](auto v, auto n, std::size_t begin) __attribute__((always_inline)) {
+      const auto weight = [](int) __attribute__((always_inline)) { return 1.0; };
+      sum<typename decltype(v)::type, n>(c + begin, next_order, 0, last, weight, s, into + begin);
+    });
+  }
+};
+
+/// One number at several times, each in a place of a register of its own.
+struct SumAtTimes {
+  template <class V>
+  JETLAG_INLINE static void run(const double* c, std::size_t next_order, int last, const double* s,
+                                double* into) {
+    using W = std::conditional_t<(width<V> < times_beside), V, FourNumbers>;
+    static_assert(width<FourNumbers> == times_beside);
+    for (std::size_t begin = 0; begin < times_beside; begin += width<W>) {
+      W time, total{};
+      load(s + begin, time);
+      for (int k = last; k >= 0; --k) total = total * time + c[k * next_order];
+      store(into + begin, total);
+    }
+  }
+};
+
+struct SumAccelerations {
+  template <class V>
+  JETLAG_INLINE static void run(const double* x, std::size_t next_order, std::size_t count, int last,
+                                const double* w, double s, double* into) {
+    for_all<V, 4>(count, [=](auto v, auto n, std::size_t begin) __attribute__((always_inline)) {
+      const auto weight = [w](int k) __attribute__((always_inline)) { return k * (k - 1) * w[k]; };
+      sum<typename decltype(v)::type, n>(x + begin, next_order, 2, last, weight, s, into + begin);
+    });
+  }
+};
+
+/// Three sums for each number, which do not wait for each other. Adds 0 times all of them to `undefined`.
+template <class V, int n>
+JETLAG_INLINE void sum_motion(const double* x, const double* v, std::size_t next_order, int last,
+                              const double* w, double s, const MotionSums<double>& into, V& undefined) {
+  V position[n] = {}, velocity[n] = {}, acceleration[n] = {};
+  const auto add = [&](int k, auto reaches_acceleration) __attribute__((always_inline)) {
+    const double weight = w[k], weight_of_acceleration = k * (k - 1) * weight;
+    for (int i = 0; i < n; ++i) {
+      V next, next_velocity;
+      load(x + k * next_order + i * width<V>, next);
+      load(v + k * next_order + i * width<V>, next_velocity);
+      position[i] = position[i] * s + weight * next;
+      velocity[i] = velocity[i] * s + weight * next_velocity;
+      if constexpr (reaches_acceleration)
+        acceleration[i] = acceleration[i] * s + weight_of_acceleration * next;
+    }
+  };
+  for (int k = last; k >= 2; --k) add(k, std::true_type{});
+  for (int k = std::min(last, 1); k >= 0; --k) add(k, std::false_type{});
+  for (int i = 0; i < n; ++i) {
+    store(into.position + i * width<V>, position[i]);
+    store(into.velocity + i * width<V>, velocity[i]);
+    store(into.acceleration + i * width<V>, acceleration[i]);
+    undefined += (position[i] - position[i]) + (velocity[i] - velocity[i]);
+  }
+}
+
+struct SumMotionRows {
+  template <class V>
+  JETLAG_INLINE static bool run(const double* x, const double* v, std::size_t next_order, std::size_t count,
+                                int last, const double* w, double s, MotionSums<double> into) {
+    double undefined = 0;
+    for_all<V, 4>(count, [=, &undefined](auto of, auto n, std::size_t begin) __attribute__((always_inline)) {
+      using W = typename decltype(of)::type;
+      W each = {};
+      sum_motion<W, n>(x + begin, v + begin, next_order, last, w, s,
+                       {into.position + begin, into.velocity + begin, into.acceleration + begin}, each);
+      double numbers[width<W>];
+      store(numbers, each);
+      for (const double number : numbers) undefined += number;
+    });
+    return undefined == 0;
+  }
+};
+
+// ---- ends -------------------------------------------------------------------------------------------------
 
 /// The largest sizes so far, as many of each as V has numbers.
 template <class V>
 struct Largest {
   V force{}, undefined{}, position{}, velocity[2]{}, acceleration[2]{};
 
-  void add_to(RowDeparture<double>& departure) const {
-    const auto for_each = [](const V& numbers, const auto& f) {
-      double each[sizeof(V) / sizeof(double)];
-      std::memcpy(each, &numbers, sizeof numbers);
-      for (const double number : each) f(number);
-    };
-    const auto take = [&](double& most, const V& sizes) {
-      for_each(sizes, [&](double size) { most = std::max(most, size); });
-    };
-    take(departure.force, force);
-    for_each(undefined, [&](double number) {
-      if (number != 0) departure.force = std::numeric_limits<double>::infinity();
-    });
-    take(departure.position, position);
+  JETLAG_INLINE void add_to(RowDeparture<double>& departure) const {
+    take_in(force, departure.force);
+    take_in(position, departure.position);
     for (int side = 0; side < 2; ++side) {
-      take(departure.velocity[side], velocity[side]);
-      take(departure.acceleration[side], acceleration[side]);
+      take_in(velocity[side], departure.velocity[side]);
+      take_in(acceleration[side], departure.acceleration[side]);
     }
+    double numbers[width<V>];
+    store(numbers, undefined);
+    for (const double number : numbers)
+      if (number != 0) departure.force = std::numeric_limits<double>::infinity();
+  }
+
+ private:
+  JETLAG_INLINE static void take_in(const V& sizes, double& most) {
+    double numbers[width<V>];
+    store(numbers, sizes);
+    for (const double number : numbers) most = std::max(most, number);
   }
 };
 
+template <class V>
+JETLAG_INLINE void compare(const double* leads_to, const double* x, const double* ahead,
+                           std::size_t next_order, Largest<V>& largest) {
+  V ends[2][3], acceleration;
+  for (int k = 0; k < 3; ++k) {
+    load(x + k * next_order, ends[0][k]);
+    load(ahead + k * next_order, ends[1][k]);
+  }
+  load(leads_to, acceleration);
+  const V difference = 2.0 * ends[1][2] - acceleration;
+  take(difference, largest.force);
+  largest.undefined += difference - difference;
+  for (int side = 0; side < 2; ++side) {
+    take(ends[side][0], largest.position);
+    take(ends[side][1], largest.velocity[side]);
+    const V twice = 2.0 * ends[side][2];
+    take(twice, largest.acceleration[side]);
+  }
+}
+
+struct CompareEnds {
+  template <class V>
+  JETLAG_INLINE static void run(const double* leads_to, const double* x, const double* ahead,
+                                std::size_t next_order, std::size_t count, RowDeparture<double>* departure) {
+    Largest<V> of_widest;
+    for_all<V, 1>(count, [=, &of_widest](auto v, auto, std::size_t begin) __attribute__((always_inline)) {
+      using W = typename decltype(v)::type;
+      if constexpr (std::is_same_v<W, V>) {
+        compare<W>(leads_to + begin, x + begin, ahead + begin, next_order, of_widest);
+      } else {
+        Largest<W> largest;
+        compare<W>(leads_to + begin, x + begin, ahead + begin, next_order, largest);
+        largest.add_to(*departure);
+      }
+    });
+    if (count >= width<V>) of_widest.add_to(*departure);
+  }
+};
+
+// ---- weights ----------------------------------------------------------------------------------------------
+
 template <class V, int n>
-[[gnu::always_inline]] inline void compare(const double* x, const double* ahead, std::size_t next_order,
-                                           int last, const double* w, double s, Largest<V>& largest) {
-  constexpr std::size_t width = sizeof(V) / sizeof(double);
-  V leads_to[n];
-  horner<V, n>(x, next_order, 2, last, [w](int k) { return k * (k - 1) * w[k]; }, s, leads_to);
-  for (int i = 0; i < n; ++i) {
-    V ends[2][3];
-    for (int k = 0; k < 3; ++k) {
-      load(x + k * next_order + i * width, ends[0][k]);
-      load(ahead + k * next_order + i * width, ends[1][k]);
-    }
-    const V difference = 2.0 * ends[1][2] - leads_to[i];
-    take(difference, largest.force);
-    largest.undefined += difference - difference;
-    for (int side = 0; side < 2; ++side) {
-      take(ends[side][0], largest.position);
-      take(ends[side][1], largest.velocity[side]);
-      const V acceleration = 2.0 * ends[side][2];
-      take(acceleration, largest.acceleration[side]);
-    }
-  }
-}
-
-/// `eights` times eight numbers, of which the last eight may be fewer: others take the place of those.
-template <int eights>
-[[gnu::always_inline]] inline void load(const double* from, std::size_t bytes, Eight* into, double other) {
-  if (bytes < eights * sizeof(Eight)) into[eights - 1] = Eight{} + other;
-  std::memcpy(into, from, bytes);
-}
-
-template <int eights>
-[[gnu::always_inline]] inline bool outweighs(const double* c, std::size_t next_order, std::size_t bytes,
-                                             int last, double h) {
-  Eight rest[eights], next[eights];
-  for (int i = 0; i < eights; ++i) rest[i] = Eight{};
+JETLAG_INLINE bool outweighs(const double* c, std::size_t next_order, int last, double h) {
+  V rest[n] = {};
   for (int k = last; k > 0; --k) {
-    load<eights>(c + k * next_order, bytes, next, 0);
     const double weight = k >= last - 1 ? 1000 : 1;
-    for (int i = 0; i < eights; ++i)
-      rest[i] = (rest[i] + weight * (next[i] < -next[i] ? -next[i] : next[i])) * h;
+    for (int i = 0; i < n; ++i) {
+      V next;
+      load(c + k * next_order + i * width<V>, next);
+      rest[i] = (rest[i] + weight * (next < -next ? -next : next)) * h;
+    }
   }
-  load<eights>(c, bytes, next, 1);
-  auto is_less = (rest[0] < next[0]) | (rest[0] < -next[0]);
-  for (int i = 1; i < eights; ++i) is_less &= (rest[i] < next[i]) | (rest[i] < -next[i]);
-  std::int64_t all = -1;
-  for (std::size_t lane = 0; lane < lanes; ++lane) all &= is_less[lane];
-  return all != 0;
+  bool all = true;
+  for (int i = 0; i < n; ++i) {
+    double rests[width<V>];
+    store(rests, rest[i]);
+    for (std::size_t lane = 0; lane < width<V>; ++lane) {
+      const double first = c[i * width<V> + lane];
+      all = all & ((rests[lane] < first) | (rests[lane] < -first));
+    }
+  }
+  return all;
 }
 
-/// Calls f(eights, begin, bytes) for all numbers, `most` times eight of them at a time while there are so many.
-template <int most, class F>
-[[gnu::always_inline]] inline void for_eights(std::size_t count, const F& f) {
-  std::size_t begin = 0;
-  for (; begin + most * lanes <= count; begin += most * lanes)
-    f(std::integral_constant<int, most>{}, begin, most * sizeof(Eight));
-  for (; begin + lanes <= count; begin += lanes) f(std::integral_constant<int, 1>{}, begin, sizeof(Eight));
-  if (begin < count) f(std::integral_constant<int, 1>{}, begin, (count - begin) * sizeof(double));
-}
-
-/// Calls f(V, n, begin) for all numbers, n times V of them: Eights as long as there are so many, `most` at a time, then fewer.
-template <int most, class F>
-[[gnu::always_inline]] inline void for_widths(std::size_t count, const F& f) {
-  using One = std::integral_constant<int, 1>;
-  std::size_t begin = 0;
-  for (; begin + most * lanes <= count; begin += most * lanes)
-    f(std::type_identity<Eight>{}, std::integral_constant<int, most>{}, begin);
-  for (; begin + lanes <= count; begin += lanes) f(std::type_identity<Eight>{}, One{}, begin);
-  if (count & 4) f(std::type_identity<Four>{}, One{}, begin);
-  begin += count & 4;
-  if (count & 2) f(std::type_identity<Two>{}, One{}, begin);
-  begin += count & 2;
-  if (count & 1) f(std::type_identity<double>{}, One{}, begin);
-}
+struct OutweighsRest {
+  template <class V>
+  JETLAG_INLINE static bool run(const double* c, std::size_t next_order, std::size_t count, int last,
+                                double h) {
+    bool all = true;
+    for_all<V, 4>(count, [=, &all](auto v, auto n, std::size_t begin) __attribute__((always_inline)) {
+      all = all && outweighs<typename decltype(v)::type, n>(c + begin, next_order, last, h);
+    });
+    return all;
+  }
+};
 
 }  // namespace
 
-JETLAG_WIDE void sum_rows(const double* c, std::size_t next_order, std::size_t count, int first, int last,
-                          const double* w, const double& s, double* into) {
-  for_widths<4>(count, [=, s = s](auto numbers, auto times,
-                                  std::size_t begin) __attribute__((always_inline)) {
-    const auto weight = [w](int k) { return w[k]; };
-    sum<typename decltype(numbers)::type, times>(c + begin, next_order, first, last, weight, s, into + begin);
-  });
+void sum_rows(const double* c, std::size_t next_order, std::size_t count, int first, int last,
+              const double* w, const double& s, double* into) {
+  with_widest_registers<SumRows>(c, next_order, count, first, last, w, s, into);
 }
 
-JETLAG_WIDE void sum_rows(const double* c, std::size_t next_order, std::size_t count, int last, double s,
-                          double* into) {
-  for_widths<4>(count, [=](auto numbers, auto times, std::size_t begin) __attribute__((always_inline)) {
-    const auto weight = [](int) { return 1.0; };
-    sum<typename decltype(numbers)::type, times>(c + begin, next_order, 0, last, weight, s, into + begin);
-  });
+void sum_rows(const double* c, std::size_t next_order, std::size_t count, int last, double s, double* into) {
+  with_widest_registers<SumRowsOfOnes>(c, next_order, count, last, s, into);
 }
 
-JETLAG_WIDE void sum_at_times(const double* c, std::size_t next_order, int last, const double* s,
-                              double* into) {
-  static_assert(sizeof(Four) == times_beside * sizeof(double));
-  Four time, total{};
-  load(s, time);
-  for (int k = last; k >= 0; --k) total = total * time + c[k * next_order];
-  std::memcpy(into, &total, sizeof total);
+void sum_at_times(const double* c, std::size_t next_order, int last, const double* s, double* into) {
+  with_widest_registers<SumAtTimes>(c, next_order, last, s, into);
 }
 
-JETLAG_WIDE void compare_rows(const double* x, const double* ahead, std::size_t next_order, std::size_t count,
-                              int last, const double* w, const double& s, RowDeparture<double>& departure) {
-  Largest<Eight> of_eights;
-  for_widths<2>(count, [=, s = s, &of_eights, &departure](auto numbers, auto times, std::size_t begin)
-                           __attribute__((always_inline)) {
-                             using V = typename decltype(numbers)::type;
-                             if constexpr (sizeof(V) == sizeof(Eight)) {
-                               compare<V, times>(x + begin, ahead + begin, next_order, last, w, s, of_eights);
-                             } else {
-                               Largest<V> largest;
-                               compare<V, times>(x + begin, ahead + begin, next_order, last, w, s, largest);
-                               largest.add_to(departure);
-                             }
-                           });
-  if (count >= lanes) of_eights.add_to(departure);
+void sum_accelerations(const double* x, std::size_t next_order, std::size_t count, int last, const double* w,
+                       const double& s, double* into) {
+  with_widest_registers<SumAccelerations>(x, next_order, count, last, w, s, into);
 }
 
-JETLAG_WIDE bool outweighs_rest(const double* c, std::size_t next_order, std::size_t count, int last,
-                                const double& h) {
-  bool all = true;
-  for_eights<4>(count, [=, h = h, &all](auto eights, std::size_t begin, std::size_t bytes)
-                           __attribute__((always_inline)) {
-                             all = all && outweighs<eights>(c + begin, next_order, bytes, last, h);
-                           });
-  return all;
+bool sum_motion_rows(const double* x, const double* v, std::size_t next_order, std::size_t count, int last,
+                     const double* w, const double& s, const MotionSums<double>& into) {
+  return with_widest_registers<SumMotionRows>(x, v, next_order, count, last, w, s, into);
 }
+
+void compare_ends(const double* leads_to, const double* x, const double* ahead, std::size_t next_order,
+                  std::size_t count, RowDeparture<double>& departure) {
+  with_widest_registers<CompareEnds>(leads_to, x, ahead, next_order, count, &departure);
+}
+
+bool outweighs_rest(const double* c, std::size_t next_order, std::size_t count, int last, const double& h) {
+  return with_widest_registers<OutweighsRest>(c, next_order, count, last, h);
+}
+
+#undef JETLAG_INLINE
 
 }  // namespace jetlag::detail

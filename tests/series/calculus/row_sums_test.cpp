@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -50,13 +51,51 @@ TEST(RowSums, SumAGeometricSeries) {
   for (const double sum : sums) EXPECT_EQ(sum, 0.5 - 0x1p-9);
 }
 
-TEST(RowSums, CompareRowsAsEachNumberAlone) {
-  const auto x = random_numbers(9 * next_order, 3), ahead = random_numbers(3 * next_order, 4),
-             w = random_numbers(9, 5);
+TEST(RowSums, ThoseOfAMotionAreEachAsIfItWereAlone) {
+  // Also where there is no acceleration yet, and none of the velocity.
+  const auto x = random_numbers(12 * next_order, 3), v = random_numbers(12 * next_order, 4),
+             w = random_numbers(12, 5);
+  for (const int last : {0, 1, 2, 3, 11})
+    for (const std::size_t count : counts) {
+      std::vector<double> together(3 * count + 1, 7.0), alone(3 * count);
+      EXPECT_TRUE(
+          detail::sum_motion_rows(x.data(), v.data(), next_order, count, last, w.data(), 0.3,
+                                  {together.data(), together.data() + count, together.data() + 2 * count}));
+      EXPECT_EQ(together.back(), 7.0) << "wrote beyond " << count;
+      together.pop_back();
+      detail::sum_rows<double>(x.data(), next_order, count, 0, last, w.data(), 0.3, alone.data());
+      detail::sum_rows<double>(v.data(), next_order, count, 0, last, w.data(), 0.3, alone.data() + count);
+      detail::sum_accelerations<double>(x.data(), next_order, count, last, w.data(), 0.3,
+                                        alone.data() + 2 * count);
+      EXPECT_EQ(together, alone) << count << " to order " << last;
+      std::vector<double> accelerations(count);
+      detail::sum_accelerations(x.data(), next_order, count, last, w.data(), 0.3, accelerations.data());
+      EXPECT_TRUE(std::equal(accelerations.begin(), accelerations.end(), alone.begin() + 2 * count)) << count;
+    }
+}
+
+TEST(RowSums, OfAMotionSayWhetherItIsFinite) {
+  const std::vector<double> ones(3 * next_order, 1.0);
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), -std::numeric_limits<double>::infinity()})
+    for (const bool of_velocity : {false, true})
+      for (const std::size_t count : counts)
+        for (std::size_t at = 0; at < count; ++at) {
+          std::vector<double> x = ones, v = ones, sums(3 * count);
+          (of_velocity ? v : x)[next_order + at] = bad;
+          ASSERT_FALSE(detail::sum_motion_rows(x.data(), v.data(), next_order, count, 2, ones.data(), 0.3,
+                                               {sums.data(), sums.data() + count, sums.data() + 2 * count}))
+              << at << " of " << count;
+        }
+}
+
+TEST(RowSums, CompareEndsAsEachNumberAlone) {
+  const auto x = random_numbers(3 * next_order, 3), ahead = random_numbers(3 * next_order, 4),
+             leads_to = random_numbers(next_order, 5);
   for (const std::size_t count : counts) {
     RowDeparture<double> beside, alone;
-    detail::compare_rows(x.data(), ahead.data(), next_order, count, 8, w.data(), 0.3, beside);
-    detail::compare_rows<double>(x.data(), ahead.data(), next_order, count, 8, w.data(), 0.3, alone);
+    detail::compare_ends(leads_to.data(), x.data(), ahead.data(), next_order, count, beside);
+    detail::compare_ends<double>(leads_to.data(), x.data(), ahead.data(), next_order, count, alone);
     EXPECT_EQ(beside.force, alone.force);
     EXPECT_EQ(beside.position, alone.position);
     for (const int side : {0, 1}) {
@@ -70,11 +109,10 @@ TEST(RowSums, AForceThatIsNotANumberDepartsWithoutBound) {
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
     for (const std::size_t count : counts)
       for (std::size_t at = 0; at < count; ++at) {
-        std::vector<double> x(3 * next_order, 1.0), ahead(3 * next_order, 1.0);
+        std::vector<double> x(3 * next_order, 1.0), ahead(3 * next_order, 1.0), leads_to(count, 2.0);
         ahead[2 * next_order + at] = bad;
-        const std::vector<double> ones(3, 1.0);
         RowDeparture<double> departure;
-        detail::compare_rows(x.data(), ahead.data(), next_order, count, 2, ones.data(), 0.3, departure);
+        detail::compare_ends(leads_to.data(), x.data(), ahead.data(), next_order, count, departure);
         ASSERT_EQ(departure.force, std::numeric_limits<double>::infinity()) << at << " of " << count;
       }
 }

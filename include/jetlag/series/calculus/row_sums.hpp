@@ -19,6 +19,14 @@ struct RowDeparture {
   T acceleration[2]{};  // u^2 |a| [m]
 };
 
+/// Where the sums of a motion go: a number for each of a row.
+template <class T>
+struct MotionSums {
+  T* position;
+  T* velocity;
+  T* acceleration;  // u^2 a [m], u the unit of time
+};
+
 namespace detail {
 
 /// sum_{n=first..last} w_n c_n s^(n-first), by Horner's rule, of `count` numbers; those of order n begin at c + n next_order.
@@ -40,19 +48,47 @@ void sum_rows(const double* c, std::size_t next_order, std::size_t count, int la
 inline constexpr std::size_t times_beside = 4;
 void sum_at_times(const double* c, std::size_t next_order, int last, const double* s, double* into);
 
-/// Takes in how far the coefficients x lead from those at the end, `ahead`, which are known to order 2.
+/// The accelerations u^2 a = sum_{n=2..last} n (n-1) w_n x_n s^(n-2) to which positions lead, by Horner's rule.
 template <class T>
-void compare_rows(const T* x, const T* ahead, std::size_t next_order, std::size_t count, int last, const T* w,
-                  const T& s, RowDeparture<T>& departure) {
+void sum_accelerations(const T* x, std::size_t next_order, std::size_t count, int last, const T* w,
+                       const T& s, T* into) {
+  for (std::size_t i = 0; i < count; ++i) {
+    T total(0);
+    for (int n = last; n >= 2; --n) total = total * s + T(T(n * (n - 1)) * w[n]) * x[n * next_order + i];
+    into[i] = total;
+  }
+}
+void sum_accelerations(const double* x, std::size_t next_order, std::size_t count, int last, const double* w,
+                       const double& s, double* into);
+
+/// The sums of orders 0 to last of positions and velocities, and the accelerations above, at once: each as if it were alone. A
+/// sum waits for itself at each order, three of them do not wait for each other. Returns whether positions and velocities are
+/// finite.
+template <class T>
+bool sum_motion_rows(const T* x, const T* v, std::size_t next_order, std::size_t count, int last, const T* w,
+                     const T& s, const MotionSums<T>& into) {
+  sum_rows(x, next_order, count, 0, last, w, s, into.position);
+  sum_rows(v, next_order, count, 0, last, w, s, into.velocity);
+  sum_accelerations(x, next_order, count, last, w, s, into.acceleration);
+  T undefined(0);
+  for (std::size_t i = 0; i < count; ++i)
+    undefined = undefined + (into.position[i] - into.position[i]) + (into.velocity[i] - into.velocity[i]);
+  return undefined == T(0);
+}
+bool sum_motion_rows(const double* x, const double* v, std::size_t next_order, std::size_t count, int last,
+                     const double* w, const double& s, const MotionSums<double>& into);
+
+/// Takes in how far the accelerations to which the coefficients x lead are from those at the end, `ahead`, which are known to
+/// order 2.
+template <class T>
+void compare_ends(const T* leads_to, const T* x, const T* ahead, std::size_t next_order, std::size_t count,
+                  RowDeparture<T>& departure) {
   using std::abs;
   const auto take = [](T& most, const T& size) {
     if (most < size) most = size;
   };
   for (std::size_t i = 0; i < count; ++i) {
-    T leads_to(0);
-    for (int n = last; n >= 2; --n)
-      leads_to = leads_to * s + T(T(n * (n - 1)) * w[n]) * x[n * next_order + i];
-    const T difference = abs(T(T(2) * ahead[2 * next_order + i] - leads_to));
+    const T difference = abs(T(T(2) * ahead[2 * next_order + i] - leads_to[i]));
     take(departure.force, difference);
     if (!(difference - difference == T(0))) departure.force = std::numeric_limits<T>::infinity();
     const T* ends[]{x + i, ahead + i};
@@ -63,8 +99,8 @@ void compare_rows(const T* x, const T* ahead, std::size_t next_order, std::size_
     }
   }
 }
-void compare_rows(const double* x, const double* ahead, std::size_t next_order, std::size_t count, int last,
-                  const double* w, const double& s, RowDeparture<double>& departure);
+void compare_ends(const double* leads_to, const double* x, const double* ahead, std::size_t next_order,
+                  std::size_t count, RowDeparture<double>& departure);
 
 /// Whether |c_0| > sum_{k=1..last} w_k |c_k| h^k for all of the numbers, where w_k = 1000 for the last two orders, which stand for
 /// all that follow, and 1 for the others.
