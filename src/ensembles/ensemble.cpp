@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <stdexcept>
 
@@ -21,8 +22,8 @@ struct Ensemble::Workspace {
   Workspace(const Program& program, const KernelTable<double>& table, int degree, int components)
       : blocks(program, table.lanes, {}, table),
         lanes(ensemble_lanes(table.instruction_set)),
-        norms(2 * static_cast<std::size_t>(degree + 1) * table.lanes),
-        logs(norms.size()),
+        sizes(static_cast<std::size_t>(degree + 2) * table.lanes),
+        logs(sizes.size()),
         next(2 * static_cast<std::size_t>(components) * table.lanes),
         step(table.lanes),
         not_finite(table.lanes),
@@ -43,10 +44,10 @@ struct Ensemble::Workspace {
 
   Blocks<double> blocks;
   const EnsembleLanes& lanes;
-  AlignedVector<double> norms, logs;  // [kind][order][lane], [order][lane]
+  AlignedVector<double> sizes, logs;  // [order][lane]
   AlignedVector<double> next;         // the state after the step
   AlignedVector<double> step, not_finite, best, log_step, least, most;
-  std::vector<char> regular;                  // whether the norms of a lane are normal numbers
+  std::vector<char> regular;                  // whether the sizes of a lane are normal numbers
   AlignedVector<double> before, time_before;  // the state before the step
   AlignedVector<double> leads_to;             // x'' to which the series of the step leads
   AlignedVector<double> allowed,
@@ -112,66 +113,52 @@ void Ensemble::advance_to(double until) {
   });
 }
 
-/// The step of each lane: that of jorba_zou_step for the positions and for the velocities, as in JorbaZou. Where the norms
-/// of a lane are normal numbers the conditions are solved for the logarithm of the step, in all those lanes at once.
+/// The step of each lane: that of JorbaZou for its motion. Where the sizes of a lane are normal numbers the conditions are solved
+/// for the logarithm of the step, in all those lanes at once.
 void Ensemble::choose_steps(Workspace& work) const {
   const int lanes = table_->lanes, p = degree_;
-  const double log_sigma = log_safety_of_jorba_zou(p) / std::log(2.0);
   constexpr double least = 0x1p-1022, most = 0x1p1000;
   std::ranges::fill(work.log_step, 2000.0);  // infinite
   std::ranges::fill(work.not_finite, 0.0);
-  std::ranges::fill(work.regular, 1);
-  const auto low = [](bool of_velocity) { return of_velocity ? 1 : 2; };
-  const auto read = [&](bool of_velocity, int k) { return k <= low(of_velocity) || k >= p - 1; };
-  const auto norm = [&](bool of_velocity, int k) {
-    return work.norms.data() + (of_velocity * (p + 1) + k) * lanes;
-  };
+  std::ranges::fill(work.least, most);
+  std::ranges::fill(work.most, 0.0);
+  const auto is_read = [&](int k) { return k <= 2 || k >= p; };
+  const auto size = [&](int k) { return work.sizes.data() + k * lanes; };
   const auto log = [&](int k) { return work.logs.data() + k * lanes; };
-  const auto measure = [&](bool of_velocity, int k, AlignedVector<double>& not_finite) {
-    std::fill_n(norm(of_velocity, k), lanes, 0.0);
+  const auto measure = [&](int k, AlignedVector<double>& not_finite) {
+    std::fill_n(size(k), lanes, 0.0);
     for (int c = 0; c < system_->components; ++c)
-      if (system_->inverse_mass[c] != 0.0 || (!of_velocity && k == 0))
-        work.lanes.largest(lanes, work.blocks.at(0, system_->series[c], k + of_velocity),
-                           norm(of_velocity, k), not_finite.data());
-    if (of_velocity) work.lanes.multiply(lanes, k + 1, norm(of_velocity, k));
+      if (system_->inverse_mass[c] != 0.0 || k == 0)
+        work.lanes.largest(lanes, work.blocks.at(0, system_->series[c], k), size(k), not_finite.data());
+    if (k > 1) work.lanes.multiply(lanes, k, size(k));
   };
-  for (const bool of_velocity : {false, true}) {
-    std::ranges::fill(work.least, most);
-    std::ranges::fill(work.most, 0.0);
-    for (int k = 0; k <= p; ++k)
-      if (read(of_velocity, k)) {
-        measure(of_velocity, k, work.not_finite);
-        work.lanes.extend(lanes, norm(of_velocity, k), work.least.data(), work.most.data());
-        work.lanes.log2(lanes, norm(of_velocity, k), log(k));
-      }
-    for (int i = 0; i < lanes; ++i)
-      if (!(work.least[i] >= least && work.most[i] < most)) work.regular[i] = 0;
-    for (int q = p; q >= std::max(1, p - 1); --q) {
+  for (int k = 0; k <= p + 1; ++k) {
+    if (!is_read(k)) continue;
+    measure(k, work.not_finite);
+    work.lanes.extend(lanes, size(k), work.least.data(), work.most.data());
+    work.lanes.log2(lanes, size(k), log(k));
+  }
+  const double log_sigma = log_safety_of_jorba_zou(p) * std::numbers::log2e;
+  for (const int q : {p, p + 1})
+    for (const bool of_velocities : {false, true}) {
       std::ranges::fill(work.best, -1e9);
-      for (int n = 0; n < q; ++n)
-        if (read(of_velocity, n))
-          work.lanes.bound(lanes, log(n), log(q), q * log_sigma, 1.0 / (q - n), work.best.data());
+      for (int n = of_velocities; n < q; ++n)
+        if (is_read(n))
+          work.lanes.bound(lanes, log(n), log(q),
+                           (q - 1) * log_sigma + of_velocities * log2_share_of_velocities(p), 1.0 / (q - n),
+                           work.best.data());
       work.lanes.smaller(lanes, work.best.data(), work.log_step.data());
     }
-  }
   bool all_regular = true;
   for (int i = 0; i < lanes; ++i) {
+    work.regular[i] = p > 1 && work.least[i] >= least && work.most[i] < most;
     all_regular &= work.regular[i] != 0;
     work.step[i] = work.regular[i] ? std::min(max_step_, std::exp2(work.log_step[i])) : max_step_;
   }
   if (all_regular) return;
-  std::vector<double> norms(p + 1);
-  for (const bool of_velocity : {false, true}) {
-    for (int k = low(of_velocity) + 1; k < p - 1; ++k) measure(of_velocity, k, work.best);
-    for (int i = 0; i < lanes; ++i) {
-      if (work.regular[i]) continue;
-      bool all_zero = true;
-      for (int k = 0; k <= std::min(low(of_velocity), p - 1); ++k) all_zero &= norm(of_velocity, k)[i] == 0.0;
-      for (int k = 0; k <= p; ++k)
-        norms[k] = read(of_velocity, k) || all_zero ? norm(of_velocity, k)[i] : 0.0;
-      work.step[i] = jorba_zou_step(norms, work.step[i]);
-    }
-  }
+  for (int k = 3; k < p; ++k) measure(k, work.best);
+  for (int i = 0; i < lanes; ++i)
+    if (!work.regular[i]) work.step[i] = jorba_zou_step_of(p, [&](int k) { return size(k)[i]; }, max_step_);
 }
 
 void Ensemble::load(std::size_t block, Workspace& work) const {
@@ -311,9 +298,9 @@ void Ensemble::advance(std::size_t block, double until, Workspace& work) {
       ++steps_[first + i];
       changes_[first + i].take_none();
       work.unseen[i] = 1;
-      const auto norm = [&](int kind, int k) { return work.norms[(kind * (degree_ + 1) + k) * lanes + i]; };
-      const double motion = std::max(norm(1, 0) / h, norm(1, 1));  // |v| / h, |a|
-      work.allowed[i] = rounding * std::max(norm(0, 0) / (h * h), motion) + of_degree * motion;
+      const auto size = [&](int k) { return work.sizes[k * lanes + i]; };
+      const double motion = std::max(size(1) / h, size(2));  // |v| / h, |a|
+      work.allowed[i] = rounding * std::max(size(0) / (h * h), motion) + of_degree * motion;
     }
     for (std::size_t c = 0; c < components; ++c) {
       if (system_->inverse_mass[c] == 0.0) continue;

@@ -123,14 +123,51 @@ double proposal(const Problem& scene, int degree, double max_step = infinity) {
   return JorbaZou(max_step).propose({series, law});
 }
 
-TEST(JorbaZou, TakesTheSmallerStepOfPositionsAndVelocities) {
-  // x = 1/(1-t): the coefficients of x are 1, those of v are n + 1, so that its estimates of the radius,
-  // which is 1, are 20^(-1/19) and 21^(-1/20): the smaller is the first.
+/// F = m v^2: from v = 1 the velocity is 1 / (1-t) wherever that is.
+struct Runaway {
+  static constexpr const char* name = "runaway";
+  static constexpr int participants = 1;
+  static constexpr std::array<const char*, 0> parameters{};
+
+  template <class T, int D>
+  static Vector<T, D> force(const Participants<T, D, 1>& p) {
+    return T(p.mass[0] * p.velocity[0].squaredNorm()) * Vector<T, D>::Constant(T(1.0));
+  }
+};
+Problem runaway(double at) {
   System<double> system(1, {1.0});
-  system.add<CubicPush>({{0}}, {{}});
-  const Problem scene{std::move(system),
-                      {0.0, Coordinates<double>::Ones(1, 1), Coordinates<double>::Ones(1, 1)}};
-  EXPECT_NEAR(proposal(scene, 20), std::pow(20.0, -1.0 / 19) * sigma(20), 1e-15);  // a few roundings of 0.11
+  system.add<Runaway>({{0}}, {{}});
+  return {std::move(system), {0.0, Coordinates<double>::Constant(1, 1, at), Coordinates<double>::Ones(1, 1)}};
+}
+
+TEST(JorbaZou, HoldsVelocitiesToPositionsAndToThemselves) {
+  // All coefficients of v are 1, so that the step is the longest with
+  //     h^q <= sigma^(q-1) min(max(|x_0|, h), C h),   q = p, p + 1:
+  // next to the origin the velocity counts (h = 0.13), then the position, and beyond C = 16 ways of a step the velocity again. Of
+  // a degree that leaves out more than rounding C = 1: only the velocity counts.
+  for (const int p : {8, 19, 20, 24}) {
+    const double share = p < 20 ? 1 : 16;
+    const auto largest = [&](double at, int q) {
+      const double bound = std::pow(sigma(p), q - 1);
+      const double by_position = std::pow(bound * at, 1.0 / q), by_velocity = std::pow(bound, 1.0 / (q - 1)),
+                   by_share = std::pow(share * bound, 1.0 / (q - 1));
+      return std::min(std::max(by_position, by_velocity), by_share);
+    };
+    for (const double at : {0.0, 1e-300, 0.01, 0.1, 0.2, 1.0, 1.7, 2.0, 10.0, 1e9, 1e300})
+      EXPECT_NEAR(proposal(runaway(at), p), std::min(largest(at, p), largest(at, p + 1)), 1e-15)
+          << p << " " << at;  // a few roundings of 0.13
+  }
+}
+
+TEST(JorbaZou, LosesNoDigitsOfAVelocityFarFromTheOrigin) {
+  // To v = 2 in t = 1/2, some five steps: rounding, as near the origin. A step held to the position alone, which rounding lets
+  // pass at its end, would leave out 1e-6.
+  for (const double at : {0.0, 1e15}) {
+    Problem scene = runaway(at);
+    Lockstep lockstep(taylor(scene.system, 20, std::make_unique<JorbaZou>()));
+    EXPECT_EQ(lockstep.run(scene.start, 0.5, {}).outcome, Outcome::success);
+    EXPECT_NEAR(scene.start.velocity(0, 0), 2.0, 32 * eps) << at;
+  }
 }
 
 TEST(JorbaZou, StepsAwayFromWherePositionsOrVelocitiesVanish) {
@@ -168,16 +205,15 @@ struct GentlePush {
 
 TEST(JorbaZou, StepsAwayFromWhereTheForceVanishesToo) {
   // x = t^2 / 2 + cos t - 1 begins with t^4 / 4!, v with t^3 / 3!: there the last terms are held to that one.
-  // The coefficients of even order of x are 1/n!, those of odd order of v too, and no later term is larger:
-  // h is below 2.
+  // The coefficients of even order are 1/n!, and no later term is larger: h is below 2. Of the last two 20 |x_20| is there
+  // and |x_21| is not.
   System<double> system(1, {1.0});
   system.add<GentlePush>({{0}}, {{}});
   const Problem scene{std::move(system),
                       {0.0, Coordinates<double>::Zero(1, 1), Coordinates<double>::Zero(1, 1)}};
-  const auto bound = [](int n, int q) {
-    return std::pow(std::pow(sigma(20), q) * std::tgamma(q + 1.0) / std::tgamma(n + 1.0), 1.0 / (q - n));
-  };
-  EXPECT_NEAR(proposal(scene, 20), std::min(bound(4, 20), bound(3, 19)), 1e-13);
+  // 20 h^20 / 20! <= sigma^19 4 h^4 / 4!
+  const double h = std::pow(std::pow(sigma(20), 19) * std::tgamma(20.0) / std::tgamma(4.0), 1.0 / 16);
+  EXPECT_NEAR(proposal(scene, 20), h, 1e-13);
 }
 
 /// Steps taken over ten periods by an oscillator started at x, v = w x.

@@ -33,7 +33,7 @@ TEST(KeplerStudy, TellsStepsAndErrors) {
   ASSERT_EQ(rows.size(), 3u + 6u);
   const int steps[] = {74, 120, 166};
   // Errors over 1000 periods, of which those over 5 are a fourteenth or, with luck, up to 4 times that: a third.
-  const double errors[] = {2e-13, 2e-12, 9e-12};
+  const double errors[] = {2e-13, 2e-12, 2e-11};
   for (int i = 0; i < 6; ++i) {
     const auto& row = rows[3 + i];  // e, sums, steps, first error, rms, largest, position
     ASSERT_EQ(row.size(), 7u);
@@ -57,7 +57,7 @@ TEST(BrouwerStudy, TellsHowErrorsGrow) {
     EXPECT_EQ(row[0], periods[i]);
     // A rounding of the energy is 1e-16 of it; 40 steps a period, 20 periods: 30 of them at random.
     EXPECT_LE(std::stod(row[1]), 1e-14);
-    EXPECT_NEAR(std::stod(row[3]), 38.0, 1.0);
+    EXPECT_NEAR(std::stod(row[3]), 35.0, 1.0);
   }
   EXPECT_EQ(rows[7][0] + " " + rows[7][1], "the rms");
 }

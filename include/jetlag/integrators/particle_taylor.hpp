@@ -51,7 +51,7 @@ template <class T>
 using ParticleTaylorBase =
     OneClockTaylor<ParticleTaylor<T>, Expansion<T>, State<T>, ParticleTaylorOptions<T>>;
 
-/// The step is the smaller one of those for positions and velocities, see JorbaZou. A step is a choice, not a result: it is
+/// The step is that of JorbaZou. A step is a choice, not a result: it is
 /// made in doubles; the time and all that is summed are of type T.
 template <class T = double>
 class ParticleTaylor : public ParticleTaylorBase<T> {
