@@ -10,6 +10,7 @@
 #include <limits>
 #include <ostream>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -287,8 +288,10 @@ TEST(Kernels, FitTheNumberOfElements) {
     EXPECT_EQ(widest->fitting(1).lanes, 1);
     if (widest != &scalar_kernels<double>()) {
       EXPECT_EQ(widest->fitting(8).lanes, 8);
+      // Three bodies have three pairs: a block as narrow as registers allow.
+      EXPECT_EQ(widest->fitting(3).lanes, std::string_view(widest->instruction_set) == "avx512" ? 8 : 4);
     }
-    for (std::size_t n : {1, 2, 8, 15, 16, 17, 33}) {  // no other width costs less
+    for (std::size_t n : {1, 2, 3, 4, 5, 8, 15, 16, 17, 33}) {  // no other width costs less
       const auto cost = [n](const KernelTable<double>& table) {
         return (n + table.lanes - 1) / table.lanes * (table.lanes + 20);
       };
