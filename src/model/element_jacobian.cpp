@@ -94,7 +94,7 @@ void ElementJacobian::run(ElementBlocks<double>& law, int k) {
   const std::size_t size = f_.size();
   // A unit of time of 0: the time stands still along a direction.
   const MotionRows<double> motion{x_.data() + k * size, v_.data() + k * size, size, state_.time, 0.0};
-  for (std::size_t chunk = 0; chunk < law.chunks(); ++chunk) law.push(chunk, k, 1, motion, f_.data());
+  law.push_all(k, 1, motion, f_.data());
   element_coefficients_ += law.count();
 }
 

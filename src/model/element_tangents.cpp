@@ -31,8 +31,7 @@ void ElementTangents::run(int order, double time) {
   std::ranges::fill(f_, 0.0);
   const std::size_t size = f_.size();
   const MotionRows<double> motion{x_.data() + order * size, v_.data() + order * size, size, time, 0.0};
-  for (std::size_t chunk = 0; chunk < blocks_.chunks(); ++chunk)
-    blocks_.push(chunk, order, 1, motion, f_.data());
+  blocks_.push_all(order, 1, motion, f_.data());
 }
 
 void ElementTangents::take(const State<double>& state, Input::Kind by) {

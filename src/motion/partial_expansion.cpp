@@ -160,8 +160,7 @@ void PartialExpansion::shift_known(int order, const std::vector<double>& s) {
 void PartialExpansion::push(std::size_t law, int k, int orders, double time) {
   ElementBlocks<double>& blocks = laws_[law];
   if (blocks.running(k, orders) == 0) return;
-  for (std::size_t chunk = 0; chunk < blocks.chunks(); ++chunk)
-    blocks.push(chunk, k, orders, motion(k, time), active_row(k + 2, 0));
+  blocks.push_all(k, orders, motion(k, time), active_row(k + 2, 0));
   element_coefficients_ += blocks.count() * blocks.running(k, orders);
 }
 

@@ -183,7 +183,7 @@ bool Impulses::push(Clock& clock, double time, double share, Report& report) {
   }
   for (auto& law : clock.laws) {
     const MotionRows<double> motion{x_.data(), nullptr, 0, time, 1.0};
-    for (std::size_t chunk = 0; chunk < law.chunks(); ++chunk) law.push(chunk, 0, 1, motion, f_.data());
+    law.push_all(0, 1, motion, f_.data());
   }
   for (std::size_t p = 0; p < clock.others.size(); ++p) {
     const int i = clock.others[p];

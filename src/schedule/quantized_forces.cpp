@@ -76,8 +76,7 @@ void QuantizedForces::run(const Part& part, int particle, double time) {
     for (int k = 0; k < orders_; ++k) {
       if (law.running(k, 1) == 0) continue;
       const MotionRows<double> motion{x_.data() + k * order, v_.data() + k * order, order, time, 1.0};
-      for (std::size_t chunk = 0; chunk < law.chunks(); ++chunk)
-        law.push(chunk, k, 1, motion, f.data() + k * order);
+      law.push_all(k, 1, motion, f.data() + k * order);
       element_coefficients_ += elements.size();
     }
   }

@@ -13,22 +13,13 @@
 #include <span>
 #include <vector>
 
+#include "jetlag/model/motion_rows.hpp"
 #include "jetlag/model/system.hpp"
 #include "jetlag/series/calculus/row_sums.hpp"
 #include "jetlag/tape/program.hpp"
 #include "jetlag/tape/watched.hpp"
 
 namespace jetlag {
-
-/// What elements read: one padded row a particle for each order.
-template <class T>
-struct MotionRows {
-  const T* position;                 // coefficient k
-  const T* velocity;                 // coefficient k
-  std::size_t next_order;            // distance to coefficient k + 1
-  T time, time_unit;                 // the coefficients of the time
-  const T* position_rest = nullptr;  // what the positions of order 0 have beyond the number; none if null
-};
 
 template <class T>
 class ElementBlocks {
@@ -49,6 +40,8 @@ class ElementBlocks {
             const KernelTable<T>& table, const Read& read, const Pushed& pushed);
 
   int participants() const { return participants_; }
+  Blocks<T>& storage() { return blocks_; }
+  const Blocks<T>& storage() const { return blocks_; }
 
   /// Each chunk pushes rows of its own from now on; `collect` adds them up. For all laws of a system, or for none.
   /// Returns the particles that each chunk touches.
@@ -79,6 +72,17 @@ class ElementBlocks {
   /// force the law gives, - on the last one where it is not among them. force: rows of order k; those of order k + 1
   /// follow at the distance next_order. Not used when the chunks push rows of their own.
   void push(std::size_t chunk, int k, int orders, const MotionRows<T>& motion, T* force);
+
+  /// Of all chunks, one after another.
+  void push_all(int k, int orders, const MotionRows<T>& motion, T* force) {
+    for (std::size_t chunk = 0; chunk < chunks(); ++chunk) push(chunk, k, orders, motion, force);
+  }
+
+  /// Computes the histories of a chunk once more, orders k .. k + orders - 1 as in `push`, and pushes nothing.
+  void replay(std::size_t chunk, int k, int orders, const MotionRows<T>& motion) {
+    orders = running(k, orders);
+    for (std::size_t b = first_block(chunk); b < first_block(chunk + 1); ++b) run(b, k, orders, motion);
+  }
 
   /// Adds what the chunks have pushed onto a particle: orders k .. k + orders - 1, as in `push`.
   void collect(int particle, int k, int orders, T* force, std::size_t next_order) const;

@@ -180,6 +180,12 @@ class Expansion {
   /// From coefficient k of the forces, in the rows of the new positions, to x_{k+2} and v_{k+1}.
   void accelerate(std::size_t first, std::size_t last, int k);
 
+  static constexpr int orders_ahead = 3;  // look_ahead knows at most so many
+  static constexpr std::size_t chunks_of_a_small_scene = 4;
+  /// What stays in a third-level cache of 32 MiB beside the motion and what else uses it: 200 x 200 particles of a cloth
+  /// have 12 MiB under way at degree 16 and took 1.3 times as long a spring as 50 x 50, 300 x 300 twice as long.
+  static constexpr std::size_t bytes_in_cache = std::size_t{12} << 20;
+
   /// One or two orders more. The rows of the new positions hold the forces until they are complete.
   void grow_by(int orders);
 
@@ -197,6 +203,7 @@ class Expansion {
     ElementBlocks<T>* blocks;
     std::size_t number;
     std::vector<int> last_of;  // the particles that no later chunk touches
+    bool is_replayed = false;  // whether its histories are lost
   };
 
   /// The blocks of a law, over the elements that it has now.
@@ -207,8 +214,25 @@ class Expansion {
   void arrange();
   void push_apart();
 
-  /// Grows to an order in passes of two orders, or of one where a force depends on velocities.
+  /// Histories from here on: all, or only those of chunks under way and of laws with conditions, whose series are read later.
+  /// Those that are lost follow from the motion once more, with the same bits. It is done for the orders that were looked at
+  /// ahead; a series that is grown further piece by piece keeps all.
+  void keep_histories(bool keep);
+  void find_lost_histories();
+
+  /// What comes before the first pass of a chunk, from order `first` of its forces on.
+  void begin_chunk(const Chunk& chunk, int first);
+
+  /// Grows to an order: in one sweep, or where the histories under way would not stay in the cache in two, of which the second
+  /// one, with half as many passes, computes a quarter of the terms once more.
   void sweep_to(int order);
+
+  /// Grows to an order in passes of two orders, or of one where a force depends on velocities.
+  void sweep(int order);
+  int orders_of_a_pass() const { return with_velocity_.empty() ? 2 : 1; }
+
+  /// The histories of chunks that are under way at the same time, at most.
+  std::size_t bytes_under_way(int passes) const;
 
   /// Adds up what the chunks have pushed onto a particle.
   void complete(int particle, int k, int orders);
@@ -224,10 +248,11 @@ class Expansion {
   std::vector<ElementBlocks<T>> laws_;  // of the model
   std::vector<ElementBlocks<T>*> without_velocity_, with_velocity_;  // those that act
   int expected_degree_;
-  UnrolledMotion<T> unrolled_;            // of a single element, where its orders are those that are expected
-  bool is_rolled_up_ = false;             // whether the series has gone on beyond them
-  std::vector<Chunk> chunks_;             // of large scenes
-  std::unique_ptr<Wavefront> wavefront_;  // over the chunks; null for small scenes
+  UnrolledMotion<T> unrolled_;  // of a single element, where its orders are those that are expected
+  bool is_rolled_up_ = false;   // whether the series has gone on beyond them
+  std::vector<Chunk> chunks_;   // of large scenes
+  std::size_t chunks_between_passes_ = 0;  // that a pass is behind the one before, at most
+  std::unique_ptr<Wavefront> wavefront_;   // over the chunks; null for small scenes
   T time_{}, time_unit_{1};
   int order_ = 1, capacity_ = 0;
   AlignedVector<T> x_, v_;  // [order][particle][padded component]

@@ -180,10 +180,10 @@ void Expansion<T>::grow_by(int orders) {
   const int k = order_ - 1;
   std::fill_n(at(x_, k + 2), orders * row_size(), T(0));
   for (auto* blocks : without_velocity_)
-    if (blocks->running(k, orders) > 0) blocks->push(0, k, orders, motion(k), at(x_, k + 2));
+    if (blocks->running(k, orders) > 0) blocks->push_all(k, orders, motion(k), at(x_, k + 2));
   for (int n = k; n < k + orders; ++n) {
     for (auto* blocks : with_velocity_)
-      if (blocks->running(n, 1) > 0) blocks->push(0, n, 1, motion(n), at(x_, n + 2));
+      if (blocks->running(n, 1) > 0) blocks->push_all(n, 1, motion(n), at(x_, n + 2));
     accelerate(0, row_size(), n);
   }
   count(without_velocity_, k, orders);
@@ -220,12 +220,13 @@ void Expansion<T>::arrange() {
   for (auto& blocks : laws_) {
     if (blocks.count() == 0) continue;
     (blocks.reads_velocity() ? with_velocity_ : without_velocity_).push_back(&blocks);
-    large = large || blocks.chunks() > 1;
+    large = large || blocks.chunks() > chunks_of_a_small_scene;
   }
   if (large) return push_apart();
   if (!wavefront_) return;
   for (auto& blocks : laws_) blocks.push_together();
   wavefront_.reset();
+  keep_histories(true);
 }
 
 template <class T>
@@ -251,27 +252,75 @@ void Expansion<T>::push_apart() {
     needed.push_back(latest);
     chunks_.push_back(std::move(all[c].first));
   }
+  chunks_between_passes_ = 0;
+  for (std::size_t c = 0; c < needed.size(); ++c)
+    chunks_between_passes_ = std::max(chunks_between_passes_, needed[c] - c + 1);
   wavefront_ = std::make_unique<Wavefront>(std::move(needed));
+  keep_histories(false);
+}
+
+template <class T>
+void Expansion<T>::keep_histories(bool keep) {
+  for (auto& blocks : laws_)
+    if (blocks.count() > 0) blocks.storage().keep_histories(keep || blocks.has_conditions());
+}
+
+template <class T>
+void Expansion<T>::find_lost_histories() {
+  for (Chunk& chunk : chunks_) chunk.is_replayed = order_ > 1 && !chunk.blocks->storage().keeps_histories();
+}
+
+template <class T>
+void Expansion<T>::begin_chunk(const Chunk& chunk, int first) {
+  chunk.blocks->storage().begin_chunk(chunk.number);
+  if (!chunk.is_replayed) return;
+  for (int k = 0; k < first; k += 2) chunk.blocks->replay(chunk.number, k, std::min(2, first - k), motion(k));
 }
 
 template <class T>
 void Expansion<T>::sweep_to(int order) {
-  const int step = with_velocity_.empty() ? 2 : 1, first = order_ - 1, orders = order - order_;
-  if (orders <= 0) return;
+  if (order <= order_) return;
+  find_lost_histories();
+  if (order_ > orders_ahead) {
+    keep_histories(true);
+  } else if (const int passes = (order - order_ + orders_of_a_pass() - 1) / orders_of_a_pass();
+             passes > 1 && bytes_under_way(passes) > bytes_in_cache) {
+    sweep(order_ + passes / 2 * orders_of_a_pass());
+    find_lost_histories();
+  }
+  sweep(order);
+}
+
+template <class T>
+std::size_t Expansion<T>::bytes_under_way(int passes) const {
+  std::size_t most = 0;
+  for (const auto& blocks : laws_)
+    if (blocks.count() > 0 && !blocks.storage().keeps_histories())
+      most = std::max(most, blocks.storage().history_bytes_of_a_chunk());
+  return most * std::min(chunks_between_passes_ * static_cast<std::size_t>(passes), chunks_.size());
+}
+
+template <class T>
+void Expansion<T>::sweep(int order) {
+  const int step = orders_of_a_pass(), first = order_ - 1, orders = order - order_;
+  const auto passes = static_cast<std::size_t>((orders + step - 1) / step);
   const auto of_pass = [&](std::size_t pass) {
     const int done = static_cast<int>(pass) * step;
     return std::pair(first + done, std::min(step, orders - done));
   };
-  (*wavefront_)((orders + step - 1) / step, workers_,
-                [&](std::size_t c, std::size_t pass) {
-                  const auto [k, n] = of_pass(pass);
-                  if (chunks_[c].blocks->running(k, n) > 0)
-                    chunks_[c].blocks->push(chunks_[c].number, k, n, motion(k), nullptr);
-                },
-                [&](std::size_t c, std::size_t pass) {
-                  const auto [k, n] = of_pass(pass);
-                  for (int particle : chunks_[c].last_of) complete(particle, k, n);
-                });
+  (*wavefront_)(
+      passes, workers_,
+      [&](std::size_t c, std::size_t pass) {
+        const Chunk& chunk = chunks_[c];
+        const auto [k, n] = of_pass(pass);
+        if (pass == 0) begin_chunk(chunk, first);
+        if (chunk.blocks->running(k, n) > 0) chunk.blocks->push(chunk.number, k, n, motion(k), nullptr);
+        if (pass + 1 == passes) chunk.blocks->storage().end_chunk(chunk.number);
+      },
+      [&](std::size_t c, std::size_t pass) {
+        const auto [k, n] = of_pass(pass);
+        for (int particle : chunks_[c].last_of) complete(particle, k, n);
+      });
   count(without_velocity_, first, orders);
   count(with_velocity_, first, orders);
   order_ = order;

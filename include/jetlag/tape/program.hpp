@@ -3,6 +3,7 @@
 // A tape laid out in memory, and the blocks of elements it runs over.
 //
 //   history    one for each block   series of which a rule reads old coefficients, [slot][order][lane]
+//                                   Of large scenes only the chunks under way have some, see Blocks::keep_histories.
 //   statics    one for each block   constants, parameters and what follows from them, and the series of which
 //                                   only coefficient 0 is read, [slot][lane]
 //   scratch    one for each chunk   series of which only the newest coefficient is read, [slot][last two orders][lane]
@@ -24,6 +25,7 @@
 #include <vector>
 
 #include "jetlag/tape/kernels.hpp"
+#include "jetlag/tape/ring.hpp"
 #include "jetlag/tape/tape.hpp"
 
 namespace jetlag {
@@ -133,7 +135,7 @@ class Blocks {
     const int shift = std::countr_zero(from_lanes);  // lanes are a power of two
     bool moved = grow(statics_, blocks() * slots * n);
     moved |= grow(scratch_, chunks() * scratch_of_a_chunk());
-    moved |= grow(history_, blocks() * program_.histories * capacity_ * n);
+    moved |= grow(history_, rings_ ? 0 : blocks() * history_of_a_block());
     for (std::size_t b = 0; b < blocks(); ++b)
       for (std::size_t lane = 0; lane < n; ++lane) {
         const std::size_t e = elements[element(b, static_cast<int>(lane))];
@@ -141,6 +143,7 @@ class Blocks {
         T* to = statics_.data() + b * slots * n + lane;
         for (std::size_t slot = 0; slot < slots; ++slot) to[slot * n] = from[slot * from_lanes];
       }
+    if (rings_) ring_ = {};
     if (other_lanes || moved || operands_.size() < blocks() * operands_of_a_block_) find_operands();
   }
 
@@ -157,7 +160,7 @@ class Blocks {
   std::size_t blocks() const { return blocks_; }
 
   /// Blocks run in chunks; different chunks may run at the same time.
-  static constexpr std::size_t blocks_of_a_chunk = 64;
+  static constexpr std::size_t blocks_of_a_chunk = 16;
   std::size_t chunks() const { return (blocks() + blocks_of_a_chunk - 1) / blocks_of_a_chunk; }
 
   /// The element in a lane. Lanes beyond the last element repeat it, so that they compute nothing unusual.
@@ -173,16 +176,40 @@ class Blocks {
   /// Room for orders 0 .. capacity - 1; what has been computed is kept.
   void reserve(int capacity) {
     if (capacity <= capacity_) return;
-    AlignedVector<T> wider(blocks() * program_.histories * capacity * lanes());
     const std::size_t series = blocks() * program_.histories,
                       old = static_cast<std::size_t>(capacity_) * lanes();
-    for (std::size_t s = 0; s < series; ++s)
-      std::copy_n(history_.begin() + s * old, old, wider.begin() + s * capacity * lanes());
-    history_ = std::move(wider);
     capacity_ = capacity;
+    if (rings_) {
+      ring_ = {};
+    } else {
+      AlignedVector<T> wider(blocks() * history_of_a_block());
+      for (std::size_t s = 0; s < series; ++s)
+        std::copy_n(history_.begin() + s * old, old, wider.begin() + s * capacity * lanes());
+      history_ = std::move(wider);
+    }
     find_operands();
   }
   int capacity() const { return capacity_; }
+
+  /// Whether histories are kept beyond `end_chunk`. Where they are not a chunk has some from its `begin_chunk` on, and they need no
+  /// more memory than the chunks that are under way at the same time. A change loses what has been computed.
+  void keep_histories(bool keep) {
+    if (rings_ != keep) return;
+    rings_ = !keep;
+    ring_ = {};
+    history_ = AlignedVector<T>(keep ? blocks() * history_of_a_block() : 0);
+    find_operands();
+  }
+  bool keeps_histories() const { return !rings_; }
+  std::size_t history_bytes_of_a_chunk() const { return history_of_a_chunk() * sizeof(T); }
+  void begin_chunk(std::size_t chunk) {
+    if (!rings_) return;
+    histories_[chunk] = ring_.take(history_of_a_chunk());
+    find_operands_of(chunk);
+  }
+  void end_chunk(std::size_t chunk) {
+    if (rings_) ring_.give_back(std::exchange(histories_[chunk], nullptr));
+  }
 
   /// Coefficient k of a value of the tape in one block: one number a lane. The caller fills in the inputs. Of a value
   /// without a history only the last two orders are kept.
@@ -213,7 +240,7 @@ class Blocks {
   }
 
   std::size_t bytes() const {
-    return sizeof(T) * (history_.size() + statics_.size() + scratch_.size()) +
+    return sizeof(T) * (history_.size() + ring_.size() + statics_.size() + scratch_.size()) +
            sizeof(Operand<T>) * operands_.size();
   }
 
@@ -237,10 +264,21 @@ class Blocks {
   }
 
   void find_operands() {
-    operands_.clear();
-    for (std::size_t b = 0; b < blocks(); ++b)
+    operands_.resize(blocks() * operands_of_a_block_);
+    histories_.assign(chunks(), nullptr);
+    if (rings_) return;
+    for (std::size_t chunk = 0; chunk < chunks(); ++chunk) {
+      histories_[chunk] = history_.data() + chunk * blocks_of_a_chunk * history_of_a_block();
+      find_operands_of(chunk);
+    }
+  }
+  void find_operands_of(std::size_t chunk) {
+    const std::size_t end = std::min((chunk + 1) * blocks_of_a_chunk, blocks());
+    for (std::size_t b = chunk * blocks_of_a_chunk; b < end; ++b) {
+      Operand<T>* to = operands_.data() + b * operands_of_a_block_;
       for (const Instruction& instruction : program_.instructions)
-        for (Place place : instruction.operands) operands_.push_back(operand(b, place));
+        for (Place place : instruction.operands) *to++ = operand(b, place);
+    }
   }
 
   /// At least so long; whether it has moved.
@@ -250,6 +288,12 @@ class Blocks {
     return storage.data() != before;
   }
 
+  std::size_t history_of_a_block() const {
+    return static_cast<std::size_t>(program_.histories) * capacity_ * lanes();
+  }
+  std::size_t history_of_a_chunk() const {
+    return std::min(blocks_of_a_chunk, blocks()) * history_of_a_block();
+  }
   std::size_t scratch_of_a_chunk() const {
     return 2 * static_cast<std::size_t>(program_.scratches) * lanes();
   }
@@ -258,8 +302,9 @@ class Blocks {
     const std::size_t n = lanes();
     switch (place.space) {
       case Place::Space::history:
-        return {history_.data() + (block * program_.histories + place.slot) * capacity_ * n, table_->lanes,
-                -1};
+        return {histories_[block / blocks_of_a_chunk] + block % blocks_of_a_chunk * history_of_a_block() +
+                    place.slot * capacity_ * n,
+                table_->lanes, -1};
       case Place::Space::statics:
         return {statics_.data() + (block * program_.statics + place.slot) * n, 0, 0};
       default:
@@ -283,6 +328,9 @@ class Blocks {
   std::vector<Operand<T>> operands_;  // [block][step][operand], for the present capacity
   std::size_t operands_of_a_block_ = 0;
   AlignedVector<T> history_, statics_, scratch_;
+  bool rings_ = false;
+  Ring<AlignedVector<T>> ring_;  // of the histories of chunks under way, where histories are not kept
+  std::vector<T*> histories_;    // of each chunk; null where it has none at present
 };
 
 }  // namespace jetlag
