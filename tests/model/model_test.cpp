@@ -142,7 +142,7 @@ TEST(Model, MayLoseTheForcesThatReadVelocitiesAndGetThemBack) {  // which go ord
   EXPECT_EQ(again.epoch(), 2u);
 }
 
-TEST(Model, MayGrowToALargeSceneAndBack) {  // of two chunks of 2048 springs at most, and of one
+TEST(Model, MayGrowToALargeSceneAndBack) {  // of ten chunks of 512 springs at most, and of three
   const Row row(2500);
   const Model<double> small = row.system(4, 0), large = row.with_springs(small, 1);
   Expansion<double> moved(small, 9, kernels<double>(), Workers(2)), made_large(large), made_small(small);
@@ -150,6 +150,18 @@ TEST(Model, MayGrowToALargeSceneAndBack) {  // of two chunks of 2048 springs at 
   expect_same_series(moved, made_large, row.start);
   moved.move_to(small);
   expect_same_series(moved, made_small, row.start);
+}
+
+TEST(Model, MayLoseTheForcesOfALargeSceneAndGetAFewBack) {
+  const Row row(2500);
+  const Model<double> large = row.with_springs(row.system(4, 0), 1), none = large.with(1, {}, {}),
+                      few = row.with_springs(large, 40);
+  Expansion<double> moved(large), made(few);
+  moved.start(row.start);
+  moved.grow_to(6);
+  moved.move_to(none);
+  moved.move_to(few);
+  expect_same_series(moved, made, row.start);
 }
 
 TEST(Model, IsNoEpochOfAnother) {

@@ -88,6 +88,27 @@ TEST_P(LargeScenes, HaveTheSameBitsGrownAtOnceOrStepByStep) {
   for (int k = 0; k <= degree; ++k) EXPECT_EQ(series.position(k), at_once.position(k)) << k;
 }
 
+TEST_P(LargeScenes, GoOnFromALookAheadWithTheBitsOfAStart) {
+  const Net net(true);
+  const auto system = net.system(GetParam());
+  State<> next = net.start();
+  next.position += 0.01 * next.velocity;
+  for (const bool has_rest : {false, true})
+    for (const int threads : {1, 2})
+      for (const int order : {2, 3}) {
+        if (has_rest) next.position_rest = 1e-18 * Coordinates<double>::Ones(side * side, 3);
+        Expansion<> series(system, degree, kernels<double>(), Workers(threads));
+        series.start(net.start());
+        series.grow_to(degree);
+        series.look_ahead(next, order);
+        series.start(next);
+        ASSERT_EQ(series.order(), order);
+        series.grow_to(degree);
+        const auto fresh = grown(system, next, 1);
+        for (int k = 0; k <= degree; ++k) EXPECT_EQ(series.position(k), fresh.position(k)) << k;
+      }
+}
+
 TEST_P(LargeScenes, MoveAsTheyDoInOneChunk) {
   // The scalar kernels have chunks of 16 springs, the wide ones of up to 512, and add up in another order: coefficient k then
   // differs by its rounding, some 6 forces of size k |d| a particle, amplified at each order by the growth of the series.

@@ -103,6 +103,7 @@ TEST(LookAhead, IsNeitherUsedNorCountedAfterItIsForgotten) {
   const std::size_t before = series.element_coefficients();
   series.look_ahead(next, 3);
   series.forget_ahead();
+  EXPECT_THROW(series.grow_to(9), std::logic_error);  // the elements are ahead all the same
   series.start(next);
   EXPECT_EQ(series.order(), 1);
   EXPECT_EQ(series.element_coefficients(), before);

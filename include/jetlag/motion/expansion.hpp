@@ -216,7 +216,7 @@ class Expansion {
 
   /// Histories from here on: all, or only those of chunks under way and of laws with conditions, whose series are read later.
   /// Those that are lost follow from the motion once more, with the same bits. It is done for the orders that were looked at
-  /// ahead; a series that is grown further piece by piece keeps all.
+  /// ahead; a scene whose series is grown further piece by piece keeps all from then on.
   void keep_histories(bool keep);
   void find_lost_histories();
 
@@ -268,6 +268,7 @@ class Expansion {
     std::size_t element_coefficients = 0;
   };
   Ahead ahead_;
+  bool elements_are_ahead_ = false;  // whether their histories are those of a state ahead
 };
 
 extern template class Expansion<double>;

@@ -36,7 +36,7 @@ void Expansion<T>::look_ahead(const State<T>& state, int order) {
   begin(state, time_unit_);
   grow_to(order);
   swap_ahead();
-  ahead_.is_known = true;
+  ahead_.is_known = elements_are_ahead_ = true;
   ahead_.element_coefficients = element_coefficients_ - before;
 }
 
@@ -70,6 +70,7 @@ template <class T>
 void Expansion<T>::go_ahead(const T& time) {
   swap_ahead();
   time_ = time;
+  elements_are_ahead_ = false;
 }
 
 template <class T>

@@ -122,11 +122,12 @@ void Expansion<T>::restart(const T& time_unit) {
   for (std::size_t i = 0, size = row_size(); i < size; ++i) x[i] = v[i] * unit;
   order_ = 1;
   is_rolled_up_ = false;
+  elements_are_ahead_ = false;
 }
 
 template <class T>
 void Expansion<T>::grow_to(int order) {
-  if (ahead_.is_known && order > order_)
+  if (elements_are_ahead_ && order > order_)
     throw std::logic_error("Expansion: a series that has looked ahead grows no more");
   if (order > capacity_) reserve(std::max(2 * capacity_, order));
   if (is_unrolled() && order > unrolled_.highest_order()) roll_up();
@@ -261,8 +262,7 @@ void Expansion<T>::push_apart() {
 
 template <class T>
 void Expansion<T>::keep_histories(bool keep) {
-  for (auto& blocks : laws_)
-    if (blocks.count() > 0) blocks.storage().keep_histories(keep || blocks.has_conditions());
+  for (auto& blocks : laws_) blocks.storage().keep_histories(keep || blocks.has_conditions());
 }
 
 template <class T>

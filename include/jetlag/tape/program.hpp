@@ -129,6 +129,7 @@ class Blocks {
   /// room for as many orders as before. What has been computed is lost; storage once made is kept for the next time.
   void take(const Blocks& all, std::span<const int> elements, const KernelTable<T>& table) {
     const bool other_lanes = table_ != &table;
+    const std::size_t piece = history_of_a_chunk();
     set_count(elements.size(), table);
     if (other_lanes) choose_kernels();
     const std::size_t n = lanes(), from_lanes = all.lanes(), slots = program_.statics;
@@ -143,8 +144,10 @@ class Blocks {
         T* to = statics_.data() + b * slots * n + lane;
         for (std::size_t slot = 0; slot < slots; ++slot) to[slot * n] = from[slot * from_lanes];
       }
-    if (rings_) ring_ = {};
-    if (other_lanes || moved || operands_.size() < blocks() * operands_of_a_block_) find_operands();
+    if (rings_ && history_of_a_chunk() != piece) ring_ = {};
+    if (rings_ || other_lanes || moved || histories_.size() != chunks() ||
+        operands_.size() < blocks() * operands_of_a_block_)
+      find_operands();
   }
 
   // Operands point into the storage: it may be moved, not copied.
@@ -177,16 +180,15 @@ class Blocks {
   void reserve(int capacity) {
     if (capacity <= capacity_) return;
     const std::size_t series = blocks() * program_.histories,
-                      old = static_cast<std::size_t>(capacity_) * lanes();
-    capacity_ = capacity;
-    if (rings_) {
-      ring_ = {};
-    } else {
-      AlignedVector<T> wider(blocks() * history_of_a_block());
+                      old = static_cast<std::size_t>(capacity_) * lanes(),
+                      size = static_cast<std::size_t>(capacity) * lanes();
+    AlignedVector<T> wider(rings_ ? 0 : series * size);
+    if (!rings_)
       for (std::size_t s = 0; s < series; ++s)
-        std::copy_n(history_.begin() + s * old, old, wider.begin() + s * capacity * lanes());
-      history_ = std::move(wider);
-    }
+        std::copy_n(history_.begin() + s * old, old, wider.begin() + s * size);
+    history_ = std::move(wider);
+    capacity_ = capacity;
+    ring_ = {};
     find_operands();
   }
   int capacity() const { return capacity_; }
@@ -195,16 +197,16 @@ class Blocks {
   /// more memory than the chunks that are under way at the same time. A change loses what has been computed.
   void keep_histories(bool keep) {
     if (rings_ != keep) return;
+    history_ = AlignedVector<T>(keep ? blocks() * history_of_a_block() : 0);
     rings_ = !keep;
     ring_ = {};
-    history_ = AlignedVector<T>(keep ? blocks() * history_of_a_block() : 0);
     find_operands();
   }
   bool keeps_histories() const { return !rings_; }
   std::size_t history_bytes_of_a_chunk() const { return history_of_a_chunk() * sizeof(T); }
   void begin_chunk(std::size_t chunk) {
     if (!rings_) return;
-    histories_[chunk] = ring_.take(history_of_a_chunk());
+    if (!histories_[chunk]) histories_[chunk] = ring_.take(history_of_a_chunk());  // some after a failure
     find_operands_of(chunk);
   }
   void end_chunk(std::size_t chunk) {

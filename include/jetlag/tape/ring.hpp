@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <memory>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 namespace jetlag {
@@ -18,15 +19,12 @@ class Ring {
 
   /// A piece of so many numbers, the same for all pieces; what it holds is left from its last use.
   T* take(std::size_t size) {
+    if (T* piece = take_free()) return piece;
+    Storage made(size);  // written while others go on
     const std::lock_guard lock(*mutex_);
-    if (free_.empty()) {
-      free_.reserve(all_.size() + 1);  // so that giving back never throws
-      all_.emplace_back(size);
-      return all_.back().data();
-    }
-    T* piece = free_.back();
-    free_.pop_back();
-    return piece;
+    free_.reserve(all_.size() + 1);  // so that giving back never throws
+    all_.push_back(std::move(made));
+    return all_.back().data();
   }
   void give_back(T* piece) {
     const std::lock_guard lock(*mutex_);
@@ -37,6 +35,14 @@ class Ring {
   std::size_t size() const { return all_.empty() ? 0 : all_.size() * all_.front().size(); }
 
  private:
+  T* take_free() {
+    const std::lock_guard lock(*mutex_);
+    if (free_.empty()) return nullptr;
+    T* piece = free_.back();
+    free_.pop_back();
+    return piece;
+  }
+
   std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();
   std::vector<Storage> all_;
   std::vector<T*> free_;
