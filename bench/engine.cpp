@@ -3,6 +3,9 @@
 
 #include "engine.hpp"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -11,6 +14,7 @@
 #include <tuple>
 
 #include "benchmarks.hpp"
+#include "jetlag/control/fixed_step.hpp"
 #include "jetlag/control/jorba_zou.hpp"
 #include "jetlag/ensembles/ensemble.hpp"
 #include "jetlag/integrators/taylor.hpp"
@@ -148,6 +152,24 @@ void start_up(benchmark::State& run) {
   run.counters["items"] = 1;
 }
 
+/// One step of a cloth of ten million springs, degree 16, each a thousandth of a second.
+void huge_cloth(benchmark::State& run) {
+  const double memory =
+      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+  if (memory < 8e9) return run.SkipWithError("this machine has less than 8 GB");
+  const Problem problem = bench::problem("cloth1300");
+  const auto integrator = taylor(problem.system, 16, std::make_unique<FixedStep>(1e-3));
+  State<double> state = problem.start;
+  Report report;
+  state.time += integrator->step(state, 1, report);  // room is made for it
+  for (auto _ : run) state.time += integrator->step(state, 1, report);
+  if (report.outcome != Outcome::success) run.SkipWithError(report.message.c_str());
+  run.counters["items"] = 1;
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  run.counters["bytes"] = 1024.0 * static_cast<double>(usage.ru_maxrss);  // of the whole program, at its most
+}
+
 // ---- dense output and events ------------------------------------------------------------------------------
 
 /// A run of some 1e5 steps to `until`, and what is asked of it: nothing, when component 0 of the last particle is zero, three states
@@ -228,6 +250,11 @@ void register_engine() {
       benchmark::RegisterBenchmark(name("ensemble/" + of + "/" + std::to_string(members)).c_str(), ensemble,
                                    of, members, 1, length);
   }
+  for (const ManyBodies& of : many_bodies) benchmark::RegisterBenchmark(name(of.name).c_str(), step, of.name);
+  benchmark::RegisterBenchmark(name("cloth1300").c_str(), huge_cloth)
+      ->Iterations(1)
+      ->Repetitions(1)
+      ->UseRealTime();
   for (const LongRun& of : long_runs)
     for (const std::string asked : {"nothing", "events", "states", "record"})
       benchmark::RegisterBenchmark(name(std::string(of.name) + "/" + asked).c_str(), long_run, of.name,

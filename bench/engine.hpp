@@ -24,6 +24,14 @@ inline constexpr SmallSystem small_systems[] = {
     {"sun_jupiter_saturn", "Sun, Jupiter, Saturn", 420, 300, 270, 32},
     {"solar", "outer Solar System", 1000, 1200, 900, 32}};
 
+/// Bodies of which each attracts each, and the goals for a step in dependent multiply-adds.
+struct ManyBodies {
+  const char *name, *title;
+  double step;
+};
+inline constexpr ManyBodies many_bodies[] = {{"bodies32", "32 bodies", 3.6e4},
+                                             {"bodies128", "128 bodies", 1.57e6}};
+
 /// Runs of some 1e5 steps, with and without dense output and events.
 struct LongRun {
   const char *name, *title;

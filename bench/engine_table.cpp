@@ -81,6 +81,8 @@ void print_engine(const Reporter& reporter, std::ostream& out) {
       {"  300x300 / 50x50", divided(item("cloth300"), item("cloth50")), {at_most, 1.15}},
       {"  bytes a spring", counter("cloth300", "bytes"), {at_most, 250}},
       {"  1 thread / 2 threads", divided(item("cloth300"), item("cloth300/2_threads")), {at_least, 1.7}},
+      {"cloth of 1e7 springs, degree 16 [s a step]", times(1e-9, item("cloth1300")), {none}},
+      {"  the program's memory at its most [GB]", times(1e-9, counter("cloth1300", "bytes")), {at_most, 8.6}},
       {"cost ~ N^b in the degree, N = 8 .. 64: b", exponent(by_degree), {at_most, 2.0}},
       {"cost ~ S^b in the springs, 1e3 .. 1e6: b", exponent(by_size), {at_most, 1.03}},
       {"outer Solar System: first step from nothing [ms]", times(1e-6, item("start_up")), {at_most, 10}},
@@ -97,6 +99,8 @@ void print_engine(const Reporter& reporter, std::ostream& out) {
   lines.push_back({"in dependent multiply-adds, degree 20, a step of", std::nullopt, {none}});
   for (const SmallSystem& system : small_systems)
     in_multiply_adds(std::string("  ") + system.title, system.name, system.step);
+  for (const ManyBodies& bodies : many_bodies)
+    in_multiply_adds(std::string("  ") + bodies.title, bodies.name, bodies.step);
   lines.push_back(
       {"the same a member of an ensemble in lanes, of 8 or as many as is said", std::nullopt, {none}});
   for (const SmallSystem& system : small_systems) {
@@ -120,7 +124,7 @@ void print_engine(const Reporter& reporter, std::ostream& out) {
   for (const Line& line : lines) {
     out << "  " << std::left << std::setw(54) << line.what << std::right;
     if (line.value)
-      out << std::setprecision(3) << std::setw(9) << *line.value << "   " << std::left << std::setw(8)
+      out << std::setprecision(3) << std::setw(9) << *line.value << "   " << std::left << std::setw(11)
           << line.goal.text() << line.goal.verdict(*line.value);
     else if (line.goal.kind != none)  // otherwise a heading
       out << std::setw(9) << "not run" << "   " << line.goal.text();

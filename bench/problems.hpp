@@ -11,7 +11,7 @@ namespace jetlag::bench {
 using problems::element_count;
 using problems::Problem;
 
-/// cloth<side>, kepler, planar_kepler, solar, sun_jupiter_saturn, planet, pendulum, henon_heiles.   Throws std::invalid_argument.
+/// cloth<side>, bodies<number>, kepler, planar_kepler, solar, sun_jupiter_saturn, planet, pendulum, henon_heiles.   Throws std::invalid_argument.
 Problem problem(const std::string& name);
 
 }  // namespace jetlag::bench

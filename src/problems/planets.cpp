@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <random>
 #include <utility>
 
 #include "jetlag/forces/gravity.hpp"
@@ -112,6 +113,14 @@ Problem outer_solar_system(int bodies) {
                {0.00276725, -0.00170702, -0.00136504}};
   return {attracting(3, {mass.begin(), mass.begin() + bodies}, 2.95912208286e-4),
           {0.0, position.topRows(bodies), velocity.topRows(bodies)}};
+}
+
+Problem bodies_at_rest(int bodies) {
+  System<double> system = attracting(3, std::vector<double>(bodies, 1.0 / bodies));
+  State<double> start = at_origin(system);
+  std::mt19937_64 generator(1);
+  for (double& x : start.position.reshaped()) x = 0x1p-53 * static_cast<double>(generator() >> 11);
+  return {std::move(system), std::move(start)};
 }
 
 Problem arenstorf_orbit() {

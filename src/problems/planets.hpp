@@ -41,6 +41,9 @@ Problem pleiades();
 /// Source: [HLW06] I.2.4, heliocentric positions and velocities of September 5, 1994.
 Problem outer_solar_system(int bodies = 6);
 
+/// Equal bodies of mass 1 in all, drawn in the unit cube, at rest; each attracts each with the constant 1.
+Problem bodies_at_rest(int bodies);
+
 /// The closed orbit with four loops near the earth and the moon, in axes that turn with them, for one period.
 Problem arenstorf_orbit();
 
