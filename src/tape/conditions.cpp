@@ -35,10 +35,13 @@ int difference(Tape& tape, int u, int v, bool& flipped) {
   return operation(tape, rule_id<Offset>, false, {operation(tape, rule_id<Negate>, true, {v}), u});
 }
 
-/// A root that is zero in the numerator as well turns round with it, as v / |v|; u (u^2)^a has a pole for a < -1/2.
+/// A root that is zero in the numerator as well turns round with it, as v / |v|; u (u^2)^a has a pole for a < -1/2. Of a
+/// parameter the sign is not known: what is written with a minus, as pow(w, -q), is meant to have a pole.
 bool is_pole(const Tape& tape, const Node& node) {
-  return node.rule == rule_id<Power> && tape.nodes[node.operands[0]].kind == Node::Kind::constant &&
-         tape.nodes[node.operands[0]].value < -0.5;
+  if (node.rule != rule_id<Power>) return false;
+  const Node& exponent = tape.nodes[node.operands[0]];
+  if (exponent.kind == Node::Kind::constant) return exponent.value < -0.5;
+  return exponent.kind == Node::Kind::operation && exponent.rule == rule_id<Negate>;
 }
 
 /// Whether a node is a sum of squares, which touches zero and does not cross it.

@@ -53,6 +53,7 @@ TEST_F(Conditions, OfSignsAndRootsAreTheirOwn) {
   EXPECT_THAT(of(max(x_, y_)), ElementsAre(Pair(2, 0)));
   EXPECT_THAT(of(sqrt(x_ + 4.0)), ElementsAre(Pair(3, 0)));
   EXPECT_THAT(of(pow(x_ + 4.0, 1.5)), ElementsAre(Pair(27, 0)));
+  EXPECT_THAT(of(pow(x_ + 4.0, a_)), ElementsAre(Pair(81, 0)));
 }
 
 TEST_F(Conditions,
@@ -78,6 +79,8 @@ TEST_F(Conditions, OfRootsKnowWhatIsDrawnWhereItMayCrossZero) {
 
 TEST_F(Conditions, AreNoneWhereNothingIsDecided) {
   EXPECT_THAT(of(x_ * y_ + exp(x_)), IsEmpty());
+  EXPECT_THAT(of(pow(x_, -1.5)), IsEmpty());  // poles
+  EXPECT_THAT(of(pow(x_, -(a_ + 1.0))), IsEmpty());
   EXPECT_THAT(of(select(a_ < 1.0, x_, y_)), IsEmpty());  // decided for good
 }
 

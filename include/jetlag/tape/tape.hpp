@@ -64,8 +64,8 @@ Tape pruned(const Tape& tape);
 /// The tape with all conditions that its outputs depend on: u - v of a comparison u < v; u of a sign, and so of |u| and
 /// max(u, v); a b - J of stretch invariants, zero where the rotation jumps; and the root of a square root, a length or a
 /// power, which changes sign where the series goes on and the function turns back, as in sqrt(t^2); not that of a power below
-/// -1/2, which has a pole there. Where its argument crosses zero, as in sqrt(max(t, 0)), the root has no series that tells:
-/// the argument is known beside it. All are computed to all orders.
+/// -1/2 or of minus a parameter, which has a pole there. Where its argument crosses zero, as in sqrt(max(t, 0)), the root has
+/// no series that tells: the argument is known beside it. All are computed to all orders.
 Tape with_conditions(Tape tape);
 
 }  // namespace jetlag
