@@ -7,6 +7,7 @@
 #include "jetlag/forces/cloth/bending.hpp"
 #include "jetlag/forces/cloth/hinge.hpp"
 #include "jetlag/forces/cloth/membrane.hpp"
+#include "jetlag/forces/contact/barrier.hpp"
 #include "jetlag/forces/drag.hpp"
 #include "jetlag/forces/floor.hpp"
 #include "jetlag/forces/gravity.hpp"
@@ -57,6 +58,9 @@ using Forces = LawList<Spring,            //
                        Membrane, MembraneKelvinVoigt,  //
                        Bending, Hinge,                 //
                        // molecules
-                       Angle, Dihedral<1>, Dihedral<2>, Dihedral<3>>;
+                       Angle, Dihedral<1>, Dihedral<2>, Dihedral<3>,  //
+                       // contact; their logarithms, for comparison, are not in it
+                       BarrierVertexVertex, BarrierVertexEdge, BarrierVertexFace, BarrierEdgeEdge,
+                       BarrierMollifiedEdgeEdge>;
 
 }  // namespace jetlag
