@@ -47,7 +47,7 @@ double RandomTaylor::short_step(State<double>& state, double limit, const StepsT
                                 Report& report) {
   const TruncationLaw& law = stops().law();
   if (!law.is_fixed() && control_.orders_read(law, options_.velocity) < 3) return 0.0;
-  if (!find_known()) return 0.0;
+  if (!along_.none() || !find_known()) return 0.0;
   const auto fail = [&](const Report& why) {
     known_.clear();
     report = why;

@@ -24,27 +24,44 @@ void add_product(double s, const Coordinates<double>& slope, Coordinates<double>
   }
 }
 
-Stops stops_of(const System<double>& system, const Truncation& law, const RandomTaylor::Options& options) {
+Stops stops_of(const Model<double>& model, const Truncation& law, const RandomTaylor::Options& options) {
   if (options.shared_draw) return Stops(law, options.draws, options.seed);
-  return Stops(law, options.draws, options.seed, system.fixed());
+  return Stops(law, options.draws, options.seed, model.fixed());
 }
 
-StoppedSeries<Expansion<double>> series_of(const System<double>& system, const Truncation& law,
+StoppedSeries<Expansion<double>> series_of(const Model<double>& model, const Truncation& law,
                                            const RandomTaylor::Options& options) {
-  Stops stops = stops_of(system, law, options);
-  Expansion<double> series(system, stops.law().max_degree() + 1, kernels<double>(), Workers(options.threads));
+  Stops stops = stops_of(model, law, options);
+  Expansion<double> series(model, stops.law().max_degree() + 1, kernels<double>(), Workers(options.threads));
   return {std::move(series), std::move(stops), order_needed(0, options.velocity)};
+}
+
+Report contradiction(double time, int particle) {
+  return {Outcome::step_underflow,
+          "the force on particle " + std::to_string(particle) +
+              " at the end of a step contradicts the series from its beginning at t = " + shown(time) +
+              ", however short the step: the force is singular or jumps there; end before, or write it with "
+              "select, abs, min or max, which are watched",
+          particle};
 }
 
 }  // namespace
 
 RandomTaylor::RandomTaylor(const System<double>& system, Truncation law, std::unique_ptr<Control> control,
                            Options options)
+    : RandomTaylor(ModelAlong(system), std::move(law), std::move(control), options) {}
+
+RandomTaylor::RandomTaylor(ModelAlong along, Truncation law, std::unique_ptr<Control> control,
+                           Options options)
     : options_(options),
-      series_(series_of(system, law, options)),
-      control_(system, std::move(control)),
-      fixed_(system.fixed()),
-      moving_(moving_particles(system)) {
+      along_(std::move(along)),
+      series_(series_of(along_.model(), law, options)),
+      control_(along_.model(), std::move(control)),
+      fixed_(along_.model().fixed()),
+      moving_(static_cast<int>(std::ranges::count(fixed_, false))) {
+  if (!along_.none() && !stops().shared())
+    throw std::invalid_argument(
+        "RandomTaylor: elements that come and go need one draw for all particles (shared_draw)");
   if (options_.compensated && options_.velocity == VelocitySeries::derivative &&
       stops().law().min_degree() == 0)
     throw std::invalid_argument(
@@ -58,7 +75,12 @@ double RandomTaylor::step(State<double>& state, double limit, Report& report) {
   const StepsToChanges<double> changes = changes_;
   begin(state);
   const double proposal = control_.propose({expansion(), stops().law(), limit});
-  double h = up_to_change(proposal);
+  Report change;
+  double h = up_to_other_elements(up_to_change(proposal), change);
+  if (change.outcome != Outcome::success) {
+    report = change;
+    return 0.0;
+  }
   if (is_stuck(state.time, report)) return 0.0;
   if (!advances(state.time, h)) {
     if (!all_finite(expansion(), report)) return short_step(state, limit, changes, report);
@@ -67,19 +89,17 @@ double RandomTaylor::step(State<double>& state, double limit, Report& report) {
   }
   proposed_ = h;
   if (!end(state, h, report)) return short_step(state, limit, changes, report);
-  while (!agrees_with_forces(state, h)) {
+  for (bool safe = true; !(safe = is_safe(h, change)) || !agrees_with_forces(state, h);) {
+    if (change.outcome != Outcome::success) {
+      report = change;
+      return 0.0;
+    }
     ++work_.rejected;
     changes_.take_none();
-    const int particle = most_departed(h);
+    const int particle = safe ? most_departed(h) : -1;
     h *= 0.5;
     if (!advances(state.time, h)) {
-      report = {
-          Outcome::step_underflow,
-          "the force on particle " + std::to_string(particle) +
-              " at the end of a step contradicts the series from its beginning at t = " + shown(state.time) +
-              ", however short the step: the force is singular or jumps there; end before, or write it with "
-              "select, abs, min or max, which are watched",
-          particle};
+      report = safe ? contradiction(state.time, particle) : step_underflow(expansion(), h);
       return 0.0;
     }
     begin(state);
@@ -98,6 +118,7 @@ bool RandomTaylor::is_stuck(double time, Report& report) {
 /// Takes the state at the end of the step h.
 double RandomTaylor::accept(State<double>& state, double h) {
   control_.left_at(next_.position);
+  along_.take(h, next_.position);
   next_.time = state.time;
   swap(state, next_);
   last_step_ = h;
@@ -109,6 +130,7 @@ double RandomTaylor::accept(State<double>& state, double h) {
 void RandomTaylor::begin(const State<double>& state) {
   known_.clear();
   foreseen_.at.reset();
+  if (!along_.none() && along_.begin(state)) series_.series().move_to(along_.model());
   series_.start(state);
   series_.draw(update_);
   series_.grow_to(control_.orders_read(stops().law(), options_.velocity));
@@ -120,141 +142,6 @@ bool RandomTaylor::end(const State<double>& from, double h, Report& report) {
   if (sum(from, h, next_)) return true;
   if (all_finite(expansion(), report)) all_finite(next_.position, next_.velocity, from.time, report);
   return false;
-}
-
-// ---- the forces at the end -----------------------------------------------------------------------------------
-
-/// Whether they are those to which the series leads; always for steps that are given.
-bool RandomTaylor::agrees_with_forces(const State<double>& from, double h) {
-  if (ahead_ < 2) return true;
-  StepDefect defect = defect_at_end(from, h);
-  if (control_.is_given() && !changes_.is_to_change()) return add_to_ledger(from, defect);
-  bool is_right = is_allowed(defect) || changes_.is_instant() || (h == proposed_ && agrees_but_for_kinks(h));
-  // Just beyond a change they have gone another way: a little before.
-  if (const double before = h * (1 - 0x1p-20);
-      !is_right && changes_.is_to_change() && advances(from.time, before)) {
-    sum(from, before, next_);
-    defect = defect_at_end(from, before);
-    sum(from, h, next_);
-    is_right = is_allowed(defect) || from.time + before == from.time + h;
-  }
-  if (!control_.is_given()) return is_right;
-  if (is_right) defect.force = 0;
-  return add_to_ledger(from, defect);
-}
-
-/// Of a step that is given. A defect that is no larger than 4 times one that the terms have explained in the last 16 steps is
-/// taken for explained too: norms of coefficients cost as much as sums. Always true.
-bool RandomTaylor::add_to_ledger(const State<double>& from, const StepDefect& defect) {
-  ledger_.begin(from.position);
-  const auto who = [&] { return most_departed(defect.step); };
-  bool is_right = defect.force <= 4 * explained_.force && explained_.steps < 16;
-  if (is_right) {
-    ++explained_.steps;
-  } else {
-    is_right = is_allowed(defect);
-    explained_ = {is_right ? defect.force : 0.0, is_right ? ratio_of_orders(defect) : 1.0, 0};
-  }
-  const int degree = stops().degree();
-  if (!is_right)
-    ledger_.add(defect, defect.force, defect.force / defect.step, next_.position, who);
-  else if (stops().law().is_fixed())
-    ledger_.add(defect, left_out(defect), (degree + 2) * explained_.ratio * left_out(defect) / defect.step,
-                next_.position, who);
-  else
-    ledger_.add(defect, 0, 0, next_.position, who);
-  return true;
-}
-
-/// What a fixed degree N leaves out of the positions in a step, |x_{N+1}| h^{N+1}, as the defect tells it, 64 times: errors
-/// grow faster than in a free motion where bodies pass each other (measured on a planet of e = .9).
-double RandomTaylor::left_out(const StepDefect& defect) const {
-  const int degree = stops().degree();
-  return 64 * defect.force / (degree * (degree + 1));
-}
-
-/// |x_{N+2}| h / |x_{N+1}|, continued from the orders that are known: with it N + 2 times the error of the positions over h is what
-/// is left out of velocities of their own series; of those from the derivative it is nearly 1.
-double RandomTaylor::ratio_of_orders(const StepDefect& defect) const {
-  const int degree = stops().degree();
-  if (options_.velocity == VelocitySeries::derivative || expansion().order() <= degree) return 1.0;
-  const double first = expansion().position_norm(degree - 1), last = expansion().position_norm(degree + 1);
-  return first > 0 ? std::min(1.0, std::sqrt(last / first) * defect.step / expansion().time_unit()) : 1.0;
-}
-
-/// Whether they are right for all but the particles for whose kinks the step was shortened, and for these as far as it may end
-/// beyond a kink, a tolerance of the path: not where the velocity changes there.
-bool RandomTaylor::agrees_but_for_kinks(double h) const {
-  const std::vector<int>& at_kinks = control_.at_kinks();
-  if (at_kinks.empty()) return false;
-  const double s = h / expansion().time_unit();
-  int first = 0;
-  Expansion<double>::Departure others, these;
-  for (const int i : at_kinks) {
-    take_departure(s, first, i, others);
-    take_departure(s, i, i + 1, these);
-    first = i + 1;
-  }
-  take_departure(s, first, expansion().particles(), others);
-  const StepDefect of_these = defect_of(these, h);
-  return is_allowed(defect_of(others, h)) &&
-         of_these.force * control_.past_kinks() <= of_these.begun * of_these.begun / 16;
-}
-
-/// Of the state at the end, from which the next step will begin.
-StepDefect RandomTaylor::defect_at_end(const State<double>& from, double h) {
-  next_.time = from.time + h;
-  series_.series().look_ahead(next_, ahead_);
-  Expansion<double>::Departure all;
-  take_departure(h / expansion().time_unit(), 0, expansion().particles(), all);
-  return defect_of(all, h);
-}
-
-StepDefect RandomTaylor::defect_of(const Expansion<double>::Departure& departure, double h) const {
-  const double s = h / expansion().time_unit();
-  const auto motion = [&](int side) {
-    return std::max(departure.velocity[side] * s, departure.acceleration[side] * s * s);
-  };
-  return {expansion().time(), h,         proposed_, departure.force * s * s,
-          departure.position, motion(0), motion(1)};
-}
-
-/// Of the particles from first to before end, where the state ahead is the sum at s.
-void RandomTaylor::take_departure(double s, int first, int end,
-                                  Expansion<double>::Departure& departure) const {
-  if (!known_.empty()) return take_departure_of_known(s, first, end, departure);
-  if (foreseen_.at == s) return expansion().take_departure(foreseen_.accelerations, first, end, departure);
-  if (stops().shared())
-    return expansion().take_departure(stops().degree(), series_.weights(0), s, first, end, departure);
-  for (int i = first; i < end; ++i)
-    expansion().take_departure(stops().degree(i), series_.weights(i), s, i, i + 1, departure);
-}
-
-/// The particle with the largest defect.
-int RandomTaylor::most_departed(double h) const {
-  int most = -1;
-  double largest = -1;
-  for (int i = 0; i < expansion().particles(); ++i) {
-    Expansion<double>::Departure own;
-    take_departure(h / expansion().time_unit(), i, i + 1, own);
-    if (!(own.force > largest)) continue;
-    largest = own.force;
-    most = i;
-  }
-  return most;
-}
-
-bool RandomTaylor::is_allowed(const StepDefect& defect) const {
-  const double s = defect.step / expansion().time_unit();
-  const auto size = [&](int n) { return expansion().position_norm(n) * std::pow(s, n); };
-  const auto weight = [&](int n) {  // the largest of those that have been drawn
-    double most = 1;
-    for (std::size_t draw = 0; draw < stops().draws(); ++draw)
-      if (n <= stops().degree(draw)) most = std::max(most, series_.weights(draw)[n]);
-    return most;
-  };
-  return jetlag::is_allowed(defect, stops().law(), control_.is_given() ? 0.0 : control_.past_kinks(),
-                            control_.is_given(), weight, expansion().order(), size);
 }
 
 // ---- the step and its sums ---------------------------------------------------------------------------------
@@ -273,6 +160,35 @@ double RandomTaylor::up_to_change(double h) {
   std::optional<double> change = series_.series().first_change(reach, !known_.empty());
   if (change) *change *= unit;
   return changes_.step(h, reach < most ? reach * unit : h, expansion().time(), change);
+}
+
+/// The part of a step that is chosen in which the elements that come and go are those of its beginning. It does not depend on
+/// the degree that is drawn.
+double RandomTaylor::up_to_other_elements(double h, Report& report) {
+  if (along_.none() || control_.is_given() || !(h > 0) || !std::isfinite(h)) return h;
+  const int last = stops().law().max_degree();
+  series_.grow_to(last);
+  const double shorter = along_.up_to_change(series_of_positions(last, nullptr), h, report);
+  if (shorter < h) changes_.shorten();
+  return shorter;
+}
+
+/// Whether nothing passes through anything in the step h as it is drawn. Of a fixed degree `up_to_other_elements` has seen that.
+bool RandomTaylor::is_safe(double h, Report& report) {
+  if (along_.none() || (stops().law().is_fixed() && !control_.is_given())) return true;
+  return along_.is_safe(series_of_positions(stops().degree(), series_.weights(0)), h, control_.is_given(),
+                        report);
+}
+
+PositionSeries RandomTaylor::series_of_positions(int last, const double* weights) const {
+  const CoefficientsView x = expansion().position_series(last);
+  return {expansion().time(),
+          expansion().time_unit(),
+          x.data(0),
+          last,
+          x.numbers_of_each(),
+          static_cast<std::size_t>(padded(x.dimension())),
+          weights};
 }
 
 /// The state at the end of the step h. Returns whether it is finite.
@@ -348,6 +264,9 @@ void RandomTaylor::count() {
 }
 
 void RandomTaylor::exchange(Member& member) {
+  if (!along_.none())
+    throw std::invalid_argument(
+        "RandomTaylor: elements that come and go belong to one trajectory, not to many");
   series_.series().forget_ahead();
   std::swap(options_.seed, member.seed);
   series_.stops().reseed(options_.seed);

@@ -20,6 +20,12 @@ EnergyMeter::EnergyMeter(const Model<double>& model) : model_(model) {
   for (const auto& law : model.laws()) potentials_.push_back(potential_of(*law));
 }
 
+EnergyMeter::EnergyMeter(const System<double>& system) : EnergyMeter(ModelAlong(system)) {}
+
+EnergyMeter::EnergyMeter(ModelAlong along) : EnergyMeter(along.model()) {
+  if (!along.none()) along_.emplace(std::move(along));
+}
+
 void EnergyMeter::move_to(const Model<double>& model) {
   model.require_epoch_of(model_);
   const Model<double> before = std::exchange(model_, model);
@@ -30,6 +36,7 @@ void EnergyMeter::move_to(const Model<double>& model) {
 Energy EnergyMeter::operator()(const State<double>& state) {
   const int n = model_.particles(), d = model_.dimension();
   require_shape(state, n, d);
+  if (along_ && along_->begin(state)) move_to(along_->model());
   const int stride = padded(d);
   position_.resize(static_cast<std::size_t>(n) * stride);
   velocity_.resize(static_cast<std::size_t>(n) * stride);

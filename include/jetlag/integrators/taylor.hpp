@@ -13,6 +13,7 @@
 #include "jetlag/integrators/step_check.hpp"
 #include "jetlag/integrators/steps_to_changes.hpp"
 #include "jetlag/integrators/stopped_series.hpp"
+#include "jetlag/model/changing_elements.hpp"
 #include "jetlag/motion/expansion.hpp"
 #include "jetlag/truncation/draws.hpp"
 #include "jetlag/truncation/sequential.hpp"
@@ -38,6 +39,10 @@ namespace jetlag {
 /// steps that a control chooses are halved until they are; where none is short enough the report is step_underflow. Of steps
 /// that are given `warning` says what it makes of them. Velocities from the derivative of a position that may have degree 1
 /// are not checked.
+///
+/// Elements that come and go (model/changing_elements.hpp): steps that a control chooses end where they change, seen from the
+/// series up to the largest degree of the law; steps that are given have those of their beginning. Where a step, as it is drawn,
+/// would lead something through something, it is halved; one that is given is `contradicted`.
 ///
 /// Where the series of some particles have no more than their first coefficients, 2 at least, as those of a force |v| v have at
 /// rest, a step uses what there is, with weights 1 whatever the law, and is so short that the forces within it and at its end
@@ -69,7 +74,8 @@ class RandomTaylor final : public Integrator {
   RandomTaylor(const System<double>& system, Truncation law, std::unique_ptr<Control> control)
       : RandomTaylor(system, std::move(law), std::move(control), Options{}) {}
   /// Throws std::invalid_argument for compensated sums of a velocity whose first coefficient is random: a law with
-  /// min_degree 0 and `derivative`; for draws that do not go with the law, see Draws.
+  /// min_degree 0 and `derivative`; for draws that do not go with the law, see Draws; for a draw for each particle where
+  /// elements come and go.
   RandomTaylor(const System<double>& system, Truncation law, std::unique_ptr<Control> control,
                Options options);
 
@@ -93,6 +99,9 @@ class RandomTaylor final : public Integrator {
   bool is_stuck(double time, Report& report);
   double accept(State<double>& state, double h);
   double up_to_change(double h);
+  double up_to_other_elements(double h, Report& report);
+  bool is_safe(double h, Report& report);
+  PositionSeries series_of_positions(int last, const double* weights) const;
   bool end(const State<double>& from, double h, Report& report);
   bool agrees_with_forces(const State<double>& from, double h);
   bool agrees_but_for_kinks(double h) const;
@@ -125,7 +134,10 @@ class RandomTaylor final : public Integrator {
   const Expansion<double>& expansion() const { return series_.series(); }
   const Stops& stops() const { return series_.stops(); }
 
+  RandomTaylor(ModelAlong along, Truncation law, std::unique_ptr<Control> control, Options options);
+
   Options options_;
+  ModelAlong along_;  // the elements that there are
   StoppedSeries<Expansion<double>> series_;
   ToKinks control_;
   std::vector<int> known_;  // the orders of each particle in a step from a singular point; empty in others

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "jetlag/model/model.hpp"
+#include "jetlag/model/changing_elements.hpp"
 
 namespace jetlag {
 
@@ -18,12 +18,17 @@ struct Energy {
 class EnergyMeter {
  public:
   explicit EnergyMeter(const Model<double>& model);
+  /// Of elements that come and go, those are counted that there are at a state when nothing is known of the motion before.
+  explicit EnergyMeter(const System<double>& system);
   /// Goes on with another epoch of the model.
   void move_to(const Model<double>& model);
   /// Throws std::invalid_argument for a state of another shape.
   Energy operator()(const State<double>& state);
 
  private:
+  explicit EnergyMeter(ModelAlong along);
+
+  std::optional<ModelAlong> along_;  // of elements that come and go
   Model<double> model_;
   std::vector<std::optional<ElementBlocks<double>>>
       potentials_;                             // of the laws of the model; of those that have one

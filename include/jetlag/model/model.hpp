@@ -78,8 +78,17 @@ class Model {
     OnDemand<ElementBlocks<T>> forces_;
   };
 
-  /// Keeps no reference to the system. Implicit: whoever runs a model takes a system as well.
-  Model(const System<T>& system);  // NOLINT
+  /// Keeps no reference to the system. Implicit: whoever runs a model takes a system as well. Throws std::invalid_argument for
+  /// elements that come and go: who follows them has a ModelAlong (changing_elements.hpp).
+  Model(const System<T>& system)  // NOLINT
+      : Model(without_changing(system)) {
+    if (!system.changing().empty())
+      throw std::invalid_argument(
+          "this method does not follow elements that come and go, as those of contacts; Taylor's method with "
+          "one clock does");
+  }
+  /// With the elements of a system that are always there.
+  static Model without_changing(const System<T>& system);
 
   /// The next epoch: another set of elements of one law. Shapes as in System::add.
   /// Throws std::invalid_argument as System::add, and for a law that the model does not have.
@@ -163,16 +172,17 @@ ParticleLists Model<T>::Law::elements_of_particles() const {
 }
 
 template <class T>
-Model<T>::Model(const System<T>& system) {
+Model<T> Model<T>::without_changing(const System<T>& system) {
   const auto parts = std::make_shared<Parts>();
   parts->dimension = system.dimension();
   parts->mass = std::make_shared<const std::vector<T>>(system.mass());
   parts->fixed = system.fixed();
   for (int i = 0; i < system.particles(); ++i)
     parts->inverse_mass.push_back(system.fixed()[i] ? T(0) : T(1) / system.mass()[i]);
-  parts_ = parts;
+  const Model model{std::shared_ptr<const Parts>(parts)};
   for (const Elements<T>& elements : system.elements())
-    parts->laws.push_back(std::make_shared<const Law>(*this, elements));
+    parts->laws.push_back(std::make_shared<const Law>(model, elements));
+  return model;
 }
 
 template <class T>

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <concepts>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -79,6 +80,14 @@ struct Elements {
   std::size_t count() const { return particles.size() / law.participants; }
 };
 
+class ChangingElements;  // changing_elements.hpp
+
+/// What a system knows of elements that come and go, and the number of the first of their laws.
+struct ChangingLaws {
+  std::shared_ptr<const ChangingElements> elements;
+  std::size_t first_law;
+};
+
 template <class T = double>
 class System {
  public:
@@ -121,6 +130,15 @@ class System {
                    const Coordinates<T>& rest,
                    const std::vector<std::array<T, L::material.size()>>& material);
 
+  /// Elements that come and go with the motion, of these laws. There are none of them in elements().
+  void add_changing(std::vector<RecordedLaw> laws, std::shared_ptr<const ChangingElements> elements)
+    requires std::same_as<T, double>
+  {
+    changing_.push_back({std::move(elements), elements_.size()});
+    for (RecordedLaw& law : laws) add(std::move(law), {}, {});
+  }
+  const std::vector<ChangingLaws>& changing() const { return changing_; }
+
   int dimension() const { return dimension_; }
   int particles() const { return static_cast<int>(mass_.size()); }
   const std::vector<T>& mass() const { return mass_; }
@@ -132,6 +150,7 @@ class System {
   std::vector<T> mass_;
   std::vector<bool> fixed_;
   std::vector<Elements<T>> elements_;
+  std::vector<ChangingLaws> changing_;
 };
 
 /// Number of particles that are not fixed.
