@@ -30,6 +30,7 @@ const std::vector<Room> house = {
     {"forces", {"base", "series", "tape"}},
     {"model", {"base", "series", "tape", "forces"}},
     {"motion", {"base", "series", "tape", "model"}},
+    {"contact", {"base", "series", "forces", "model"}},
     {"truncation", {"base"}},
     {"problems", {"forces", "model", "truncation"}},
     {"control", {"base", "model", "motion", "truncation"}, {"model"}},
@@ -61,8 +62,8 @@ const std::vector<Room> house = {
     {"src/main.cpp", {"model"}, {"program"}},
     {"src/study.cpp", {}, {"studies"}},
     {"include/jetlag/jetlag.hpp",
-     {"base", "series", "tape", "forces", "model", "motion", "truncation", "control", "integrators",
-      "ensembles", "schedule"}},
+     {"base", "series", "tape", "forces", "model", "motion", "contact", "truncation", "control",
+      "integrators", "ensembles", "schedule"}},
 };
 
 std::string contents(const fs::path& file) {
