@@ -9,6 +9,7 @@
 #include <string>
 
 #include "jetlag/base/text.hpp"
+#include "jetlag/series/calculus/bernstein.hpp"
 #include "jetlag/series/calculus/polynomial.hpp"
 
 /// With the instruction for it where there is one: otherwise std::fma is a call. The same bits from both.
@@ -36,24 +37,20 @@ namespace {
 
 using Coefficients = std::vector<double>;
 
-/// An interval, and the polynomial on it in the Bernstein basis: sum_i b_i C(N,i) u^i (1-u)^{N-i}, u from 0 to 1.
+/// An interval, and the polynomial on it in the Bernstein basis.
 struct Span {
   double low, high;
   Coefficients b;
 };
 
-/// b_i = sum_{k<=i} C(i,k) / C(N,k) c_k h^k: each c_k h^k over its binomial, then Pascal's triangle by N(N+1)/2 sums.
 Coefficients to_bernstein(std::span<const double> c, double h) {
-  const std::size_t n = c.size() - 1;
-  Coefficients b(n + 1);
-  double power = 1, binomial = 1;
-  for (std::size_t k = 0; k <= n; ++k) {
-    b[k] = c[k] * power / binomial;
+  Coefficients b(c.size());
+  double power = 1;
+  for (std::size_t k = 0; k < c.size(); ++k) {
+    b[k] = c[k] * power;
     power *= h;
-    binomial = binomial * static_cast<double>(n - k) / static_cast<double>(k + 1);
   }
-  for (std::size_t j = 1; j <= n; ++j)
-    for (std::size_t i = n; i >= j; --i) b[i] += b[i - 1];
+  detail::to_bernstein<1>(b.data(), c.size() - 1);
   return b;
 }
 
@@ -74,16 +71,12 @@ double largest(const Coefficients& b) {
   return most;
 }
 
-/// The part of a span before u and the part after it (de Casteljau): averages only, so that nothing cancels that the
-/// polynomial does not cancel.
+/// The part of a span before u and the part after it.
 std::pair<Span, Span> split(const Span& span, double u) {
   const std::size_t n = span.b.size() - 1;
   const double middle = span.low + u * (span.high - span.low);
   Span before{span.low, middle, Coefficients(n + 1)}, after{middle, span.high, span.b};
-  for (std::size_t j = 0; j <= n; ++j) {
-    before.b[j] = after.b[0];
-    for (std::size_t i = 0; i + j < n; ++i) after.b[i] = (1 - u) * after.b[i] + u * after.b[i + 1];
-  }
+  detail::split_bernstein<1>(after.b.data(), before.b.data(), n, u);
   return {std::move(before), std::move(after)};
 }
 
