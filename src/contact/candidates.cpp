@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+#include "jetlag/contact/candidates.hpp"
+
+#include <algorithm>
+#include <boost/geometry/core/cs.hpp>
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <boost/geometry/strategies/cartesian.hpp>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace jetlag {
+
+namespace {
+
+namespace bg = boost::geometry;
+using Point = bg::model::point<double, 3, bg::cs::cartesian>;
+using Box = bg::model::box<Point>;
+using Boxed = std::pair<Box, int>;
+using Tree = bg::index::rtree<Boxed, bg::index::quadratic<16>>;
+
+Box hull(const Box& a, const Box& b) {
+  Box both = a;
+  bg::expand(both, b);
+  return both;
+}
+
+/// For each particle that is joined to others by edges the least of their numbers.
+std::vector<int> bodies(const Surface& surface, int particles) {
+  std::vector<int> root(particles);
+  std::iota(root.begin(), root.end(), 0);
+  const auto find = [&](int i) {
+    while (root[i] != i) i = root[i] = root[root[i]];
+    return i;
+  };
+  for (const auto& [a, b] : surface.edges()) {
+    const int low = std::min(find(a), find(b));
+    root[find(a)] = root[find(b)] = low;
+  }
+  for (int i = 0; i < particles; ++i) root[i] = find(i);
+  return root;
+}
+
+template <std::size_t N>
+bool contains(const std::array<int, N>& members, int i) {
+  return std::ranges::find(members, i) != members.end();
+}
+
+}  // namespace
+
+Candidates::Candidates(Surface surface, const Model<double>& model, double reach, bool with_itself)
+    : surface_(std::move(surface)),
+      dimension_(model.dimension()),
+      reach_(reach),
+      fixed_(model.fixed()),
+      place_(model.particles(), -1),
+      room_(reach / 2),
+      tracks_(surface_.vertices().size()),
+      curve_(tracks_.size(), 0) {
+  const auto& vertices = surface_.vertices();
+  for (std::size_t p = 0; p < vertices.size(); ++p) {
+    if (vertices[p] < 0 || vertices[p] >= model.particles())
+      throw std::invalid_argument("contact: particle " + std::to_string(vertices[p]) +
+                                  " of the surface does not exist, there are " +
+                                  std::to_string(model.particles()));
+    place_[vertices[p]] = static_cast<int>(p);
+  }
+  if (!with_itself) body_ = bodies(surface_, model.particles());
+}
+
+double Candidates::cover(const PositionSeries& position, double h, bool whole) {
+  are_finite_ = find_curves(position, h);
+  if (!are_finite_) return h;
+  if (!is_known_ || !holds(position, h)) look(position, h, whole);
+  return std::min(h, until_ - position.time);
+}
+
+/// sum_{n>=2} |x_n| (h/unit)^n. Returns whether they are finite.
+bool Candidates::find_curves(const PositionSeries& position, double h) {
+  const double s = h / position.unit;
+  double all = 0;
+  for (std::size_t p = 0; p < tracks_.size(); ++p) {
+    double sum = 0;
+    for (int n = position.degree; n >= 2; --n) {
+      const double* c = position.coefficient(n, surface_.vertices()[p]);
+      double size = 0;
+      for (int d = 0; d < dimension_; ++d) size += std::abs(c[d]);
+      sum = sum * s + size * (position.weights ? position.weights[n] : 1.0);
+    }
+    curve_[p] = sum * s * s;
+    all += curve_[p];
+    for (int n = std::min(position.degree, 1); n >= 0; --n)
+      for (int d = 0; d < dimension_; ++d)
+        all += std::abs(position.coefficient(n, surface_.vertices()[p])[d]) * (n > 0 ? s : 1.0);
+  }
+  return std::isfinite(all);
+}
+
+/// Whether all vertices stay in their rooms in a step.
+bool Candidates::holds(const PositionSeries& position, double h) const {
+  if (!(position.time + h <= until_)) return false;
+  const double since = position.time - begin_;
+  for (std::size_t p = 0; p < tracks_.size(); ++p) {
+    const Track& track = tracks_[p];
+    const int i = surface_.vertices()[p];
+    const double *x = position.coefficient(0, i), *v = position.coefficient(1, i);
+    double off = 0, change = 0;
+    for (int d = 0; d < dimension_; ++d) {
+      const double dx = x[d] - (track.x[d] + track.v[d] * since), dv = v[d] / position.unit - track.v[d];
+      off += dx * dx;
+      change += dv * dv;
+    }
+    if (!(std::sqrt(off) + std::sqrt(change) * h + curve_[p] <= track.room)) return false;
+  }
+  return true;
+}
+
+/// New tracks and rooms. They are to last for eight such steps; where that makes too many candidates, for less, and the step
+/// becomes shorter if it must.
+void Candidates::look(const PositionSeries& position, double h, bool whole) {
+  ++looks_;
+  const auto& vertices = surface_.vertices();
+  std::fill_n(drift_, 3, 0.0);
+  for (std::size_t p = 0; p < tracks_.size(); ++p) {
+    Track& track = tracks_[p];
+    for (int d = 0; d < dimension_; ++d) {
+      track.x[d] = position.coefficient(0, vertices[p])[d];
+      track.v[d] = position.coefficient(1, vertices[p])[d] / position.unit;
+      drift_[d] += track.v[d] / static_cast<double>(tracks_.size());
+    }
+    track.room = room_ + 2 * curve_[p];
+  }
+  begin_ = position.time;
+  constexpr auto any = std::numeric_limits<std::size_t>::max();
+  const std::size_t most = 64 + 24 * (surface_.edges().size() + surface_.vertices().size());
+  double horizon = 8 * h;
+  for (int attempt = 0; !find(horizon, attempt < 20 && !(whole && horizon <= h) ? most : any); ++attempt) {
+    horizon = whole ? std::max(horizon / 4, h) : horizon / 4;
+    const double part = h > horizon ? horizon / h : 1.0;
+    for (std::size_t p = 0; p < tracks_.size(); ++p) tracks_[p].room = room_ + 2 * curve_[p] * part * part;
+  }
+  until_ = begin_ + horizon;
+  is_known_ = true;
+}
+
+/// The stencils that may come within reach up to that time; false where there are more than `most`.
+bool Candidates::find(double horizon, std::size_t most) {
+  std::vector<Box> boxes(tracks_.size());
+  for (std::size_t p = 0; p < tracks_.size(); ++p) {
+    const Track& track = tracks_[p];
+    double low[3] = {}, high[3] = {};
+    for (int d = 0; d < dimension_; ++d) {
+      const double end = track.x[d] + (track.v[d] - drift_[d]) * horizon;
+      const double about = track.room + reach_ / 2;
+      low[d] = std::min(track.x[d], end) - about;
+      high[d] = std::max(track.x[d], end) + about;
+    }
+    boxes[p] = {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
+  }
+  const auto of_vertex = [&](int i) { return boxes[place_[i]]; };
+  const auto of_edge = [&](const std::array<int, 2>& e) { return hull(of_vertex(e[0]), of_vertex(e[1])); };
+  const auto of_triangle = [&](const std::array<int, 3>& t) {
+    return hull(hull(of_vertex(t[0]), of_vertex(t[1])), of_vertex(t[2]));
+  };
+  const auto tree_of = [](const auto& features, const auto& box) {
+    std::vector<Boxed> all;
+    all.reserve(features.size());
+    for (std::size_t f = 0; f < features.size(); ++f) all.emplace_back(box(features[f]), static_cast<int>(f));
+    return Tree(all);
+  };
+
+  list_.clear();
+  const auto add = [&](const Stencil& stencil) {
+    const auto members = stencil.particles();
+    if (std::ranges::all_of(members, [&](int i) { return fixed_[i]; })) return;
+    if (!body_.empty() && body_[members.front()] == body_[members.back()]) return;
+    list_.push_back(stencil);
+  };
+  const auto each_near = [&](const Tree& tree, const Box& box, const auto& use) {
+    for (auto found = tree.qbegin(bg::index::intersects(box)); found != tree.qend(); ++found)
+      use(found->second);
+  };
+
+  const auto points_among = [&](const std::vector<int>& points) {
+    const Tree tree = tree_of(points, of_vertex);
+    for (std::size_t a = 0; a < points.size() && list_.size() <= most; ++a)
+      each_near(tree, of_vertex(points[a]), [&](int b) {
+        if (static_cast<std::size_t>(b) > a)
+          add({StencilKind::vertex_vertex, {points[a], points[b], -1, -1}});
+      });
+  };
+  const auto points_and_edges = [&](const std::vector<int>& points,
+                                    const std::vector<std::array<int, 2>>& edges) {
+    if (points.empty() || edges.empty()) return;
+    const Tree tree = tree_of(edges, of_edge);
+    for (std::size_t p = 0; p < points.size() && list_.size() <= most; ++p)
+      each_near(tree, of_vertex(points[p]), [&](int e) {
+        if (!contains(edges[e], points[p]))
+          add({StencilKind::vertex_edge, {points[p], edges[e][0], edges[e][1], -1}});
+      });
+  };
+  if (dimension_ == 1) {
+    points_among(surface_.vertices());
+  } else if (dimension_ == 2) {
+    points_among(surface_.loose_vertices());
+    points_and_edges(surface_.vertices(), surface_.edges());
+  } else {
+    points_among(surface_.loose_vertices());
+    points_and_edges(surface_.loose_vertices(), surface_.loose_edges());
+    const auto& triangles = surface_.triangles();
+    if (!triangles.empty()) {
+      const Tree tree = tree_of(triangles, of_triangle);
+      const auto& vertices = surface_.vertices();
+      for (std::size_t p = 0; p < vertices.size() && list_.size() <= most; ++p)
+        each_near(tree, of_vertex(vertices[p]), [&](int t) {
+          const auto& [a, b, c] = triangles[t];
+          if (!contains(triangles[t], vertices[p])) add({StencilKind::vertex_face, {vertices[p], a, b, c}});
+        });
+    }
+    const auto& edges = surface_.edges();
+    if (!edges.empty()) {
+      const Tree tree = tree_of(edges, of_edge);
+      for (std::size_t e = 0; e < edges.size() && list_.size() <= most; ++e)
+        each_near(tree, of_edge(edges[e]), [&](int f) {
+          if (static_cast<std::size_t>(f) <= e || contains(edges[f], edges[e][0]) ||
+              contains(edges[f], edges[e][1]))
+            return;
+          add({StencilKind::edge_edge, {edges[e][0], edges[e][1], edges[f][0], edges[f][1]}});
+        });
+    }
+  }
+  if (list_.size() > most) return false;
+  std::ranges::sort(list_);
+  return true;
+}
+
+}  // namespace jetlag
