@@ -2,6 +2,7 @@
 #pragma once
 // Everything of the library, floor by floor.
 
+#include "jetlag/contact/contact_barrier.hpp"
 #include "jetlag/control/courant.hpp"
 #include "jetlag/control/damping_bound.hpp"
 #include "jetlag/control/fixed_step.hpp"
