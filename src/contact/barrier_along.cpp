@@ -119,11 +119,8 @@ void BarrierAlong::update(Pair& pair, const Coordinates<double>& position, Chang
                gap_of(now.distance) < contact_->thickness * (tends_on ? 1 + hysteresis : 1 - hysteresis);
   if (!pair.is_on) return;
   const bool is_new = !was_on || change == Change::region;
-  const auto still_holds = [&] {
-    const auto region = region_of<double>(pair.stencil.kind, pair.support, all, band);
-    return std::ranges::all_of(region.conditions, [](double c) { return c >= 0; });
-  };
-  if (is_new || !still_holds()) pair.support = support_of(now);
+  if (is_new || !holds_at(pair.stencil.kind, pair.support, all, band))
+    pair.support = support_at(pair.stencil.kind, all, now, band);
   if (pair.stencil.kind != StencilKind::edge_edge) return;
   const double sine = squared_sine(pair.stencil, all), most = parallel_below(pair.stencil);
   const auto is_below = [&](double part, bool was_below) {

@@ -8,7 +8,9 @@
 //     |b_i| >= 0 as weights, those of A positive, those of B negative,
 //     (x_k - p_A) . r >= 0  for the other vertices k of A,      (p_B - x_k) . r >= 0  for those of B.
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -129,6 +131,35 @@ Region<T> region_of(StencilKind kind, Support support, std::span<const Vector3<T
     }
   }
   return region;
+}
+
+/// Whether a region is the right one at a place.
+inline bool holds_at(StencilKind kind, Support support, std::span<const Vector3<double>> x, double band) {
+  const auto region = region_of<double>(kind, support, x, band);
+  return std::ranges::all_of(region.conditions, [](double c) { return c >= 0; });
+}
+
+/// The region at a place. Of edges that are nearly parallel closest() takes the middle of what lies beside each other, which is
+/// no region: their lines may come near each other far away. There it is the nearest end of the one beside the other.
+inline Support support_at(StencilKind kind, std::span<const Vector3<double>> x, const Closest& now,
+                          double band) {
+  constexpr Support all_four = 0b1111;
+  const Support support = support_of(now);
+  if (kind != StencilKind::edge_edge || support != all_four || holds_at(kind, support, x, band))
+    return support;
+  Support nearest = support;
+  double distance = std::numeric_limits<double>::infinity();
+  for (const auto& [p, a, b] : {std::array{0, 2, 3}, {1, 2, 3}, {2, 0, 1}, {3, 0, 1}}) {
+    const std::array<Eigen::Vector3d, 3> of_end{x[p], x[a], x[b]};
+    const Closest end = closest(StencilKind::vertex_edge, of_end);
+    if (!(end.distance < distance)) continue;
+    distance = end.distance;
+    const std::array<int, 3> which{p, a, b};
+    nearest = 0;
+    for (const int i : end.vertices)
+      if (i >= 0) nearest |= 1U << which[i];
+  }
+  return nearest;
 }
 
 }  // namespace jetlag
