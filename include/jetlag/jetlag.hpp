@@ -2,7 +2,9 @@
 #pragma once
 // Everything of the library, floor by floor.
 
+#include "jetlag/contact/clearance.hpp"
 #include "jetlag/contact/contact_barrier.hpp"
+#include "jetlag/contact/contact_record.hpp"
 #include "jetlag/control/courant.hpp"
 #include "jetlag/control/damping_bound.hpp"
 #include "jetlag/control/fixed_step.hpp"

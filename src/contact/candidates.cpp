@@ -9,7 +9,6 @@
 #include <boost/geometry/strategies/cartesian.hpp>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -28,22 +27,6 @@ Box hull(const Box& a, const Box& b) {
   Box both = a;
   bg::expand(both, b);
   return both;
-}
-
-/// For each particle that is joined to others by edges the least of their numbers.
-std::vector<int> bodies(const Surface& surface, int particles) {
-  std::vector<int> root(particles);
-  std::iota(root.begin(), root.end(), 0);
-  const auto find = [&](int i) {
-    while (root[i] != i) i = root[i] = root[root[i]];
-    return i;
-  };
-  for (const auto& [a, b] : surface.edges()) {
-    const int low = std::min(find(a), find(b));
-    root[find(a)] = root[find(b)] = low;
-  }
-  for (int i = 0; i < particles; ++i) root[i] = find(i);
-  return root;
 }
 
 template <std::size_t N>
@@ -70,7 +53,7 @@ Candidates::Candidates(Surface surface, const Model<double>& model, double reach
                                   std::to_string(model.particles()));
     place_[vertices[p]] = static_cast<int>(p);
   }
-  if (!with_itself) body_ = bodies(surface_, model.particles());
+  if (!with_itself) body_ = bodies_of(surface_, model.particles());
 }
 
 double Candidates::cover(const PositionSeries& position, double h, bool whole) {

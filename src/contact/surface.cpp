@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -78,6 +79,21 @@ void Surface::complete() {
   vertices_.insert(vertices_.end(), of_edges.begin(), of_edges.end());
   sort_and_merge(vertices_);
   loose_vertices_ = without(vertices_, of_edges);
+}
+
+std::vector<int> bodies_of(const Surface& surface, int particles) {
+  std::vector<int> root(particles);
+  std::iota(root.begin(), root.end(), 0);
+  const auto find = [&](int i) {
+    while (root[i] != i) i = root[i] = root[root[i]];
+    return i;
+  };
+  for (const auto& [a, b] : surface.edges()) {
+    const int low = std::min(find(a), find(b));
+    root[find(a)] = root[find(b)] = low;
+  }
+  for (int i = 0; i < particles; ++i) root[i] = find(i);
+  return root;
 }
 
 }  // namespace jetlag

@@ -76,6 +76,7 @@ void check_frame(const Shape& shape, const Frame& frame) {
               fmt::format("shape: particle {} does not exist, there are {}", particle, shape.particles));
   };
   check_members(shape.lines);
+  check_members(shape.walls);
   check_members(shape.surface);
   check_members(shape.tetrahedra);
   check_members(std::array{shape.fixed});

@@ -8,6 +8,7 @@
 #include "jetlag/base/text.hpp"
 #include "jetlag/control/damping_bound.hpp"
 #include "jetlag/control/frequency_bound.hpp"
+#include "jetlag/model/changing_elements.hpp"
 #include "jetlag/motion/expansion.hpp"
 #include "program/commands.hpp"
 #include "program/scene_arguments.hpp"
@@ -33,28 +34,38 @@ int show(const SceneArguments& arguments) {
 int check(const SceneArguments& arguments) {
   const Scene scene = arguments.load();
   const System<double>& system = *scene.system;
-  std::size_t elements = 0;
-  for (const auto& group : system.elements()) elements += group.count();
+  ModelAlong along(system);
+  along.begin(scene.initial);
+  const Model<double>& model = along.model();
+  std::size_t elements = 0, in_contact = 0;
+  for (const auto& law : model.laws()) elements += law->count();
+  for (const auto& group : system.elements()) in_contact += group.count();
+  in_contact = elements - in_contact;
   for (const std::string& warning : scene.warnings) std::fprintf(stderr, "jetlag: %s\n", warning.c_str());
   std::printf("%s: valid\n", shown_name(scene.name).c_str());
   std::printf("  particles   %d in %d dimension%s, %d fixed\n", system.particles(), system.dimension(),
               system.dimension() == 1 ? "" : "s", system.particles() - moving_particles(system));
   for (const auto& group : system.elements())
-    std::printf("  force       %-14s %zu element%s\n", group.law.name.c_str(), group.count(),
-                group.count() == 1 ? "" : "s");
+    if (group.count() > 0 || system.changing().empty())
+      std::printf("  force       %-14s %zu element%s\n", group.law.name.c_str(), group.count(),
+                  group.count() == 1 ? "" : "s");
+  if (!system.changing().empty())
+    std::printf("  contact     %zu element%s of features within the thickness at the start\n", in_contact,
+                in_contact == 1 ? "" : "s");
   const auto uncounted = std::ranges::find_if(
       system.elements(), [](const auto& group) { return group.count() > 0 && group.law.unbounded; });
-  const double omega = FrequencyMeter(system)(scene.initial), damping = DampingMeter(system)(scene.initial);
+  const Model<double> always = Model<double>::without_changing(system);
+  const double omega = FrequencyMeter(always)(scene.initial), damping = DampingMeter(always)(scene.initial);
   const std::string others =
       uncounted == system.elements().end() ? "" : ", " + uncounted->law.name + " not counted";
-  if (omega > 0 && damping_needs_state(system))
+  if (omega > 0 && damping_needs_state(always))
     std::printf("  stiffness   frequencies up to %.4g rad/s and viscosity up to %.4g /s at the start%s\n",
                 omega, damping, others.c_str());
   else if (omega > 0)
     std::printf("  stiffness   frequencies up to %.4g rad/s%s; leapfrog is stable below a step of %.4g s%s\n",
-                omega, bounds_need_state(system) ? " at the start" : "", 2 / omega, others.c_str());
+                omega, bounds_need_state(always) ? " at the start" : "", 2 / omega, others.c_str());
   const int orders = std::max(1, static_cast<int>(scene.mean_orders + 0.5));
-  Expansion<double> series(system, orders + 1);
+  Expansion<double> series(model, orders + 1);
   series.start(scene.initial);
   series.grow_to(orders + 1);
   int repeats = 0;

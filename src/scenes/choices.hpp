@@ -41,6 +41,7 @@ struct ForcesRead {
   System<double>& system;
   Drawn drawn{};
   std::vector<std::string> warnings{};
+  std::vector<std::shared_ptr<ContactRecord>> contacts{};
   std::optional<double> rigidity{};  // of the last membrane of one material, as a plate [N m]
 };
 
@@ -54,9 +55,13 @@ const std::vector<ForceRecord>& force_records();  // all of them
 std::vector<ForceRecord> solid_records();         // of tetrahedra, triangles and their faces
 std::vector<ForceRecord> cloth_records();         // of sheets of triangles in space
 std::vector<ForceRecord> molecular_records();     // of bonds
+std::vector<ForceRecord> contact_records();       // of surfaces that touch
 
 /// Where particles come from: the key that says so is the name of the choice.
 const std::vector<Choice>& particle_choices();
+
+/// What obstacles are made of, likewise.
+const std::vector<Choice>& obstacle_choices();
 
 /// The keys of a scene beside those of these registers; with a point those of a part of it.
 const SceneKeys& scene_keys();

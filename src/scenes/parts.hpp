@@ -7,6 +7,8 @@
 #include <memory>
 #include <optional>
 
+#include "jetlag/contact/contact_record.hpp"
+#include "jetlag/contact/surface.hpp"
 #include "jetlag/scenes/error.hpp"
 #include "jetlag/scenes/mesh.hpp"
 #include "jetlag/scenes/scene.hpp"
@@ -25,6 +27,10 @@ struct Particles {
   Mesh mesh;                          // without vertices and cells where positions were listed
   std::optional<double> thickness{};  // [m], of triangles by which masses were found
   Coordinates<double> rest;           // positions at rest [m], of elements whose parameters follow from them
+  std::vector<int> grid{};            // counts along the axes, of a grid
+  std::size_t own = 0;                // how many there are without the vertices of obstacles, which come last
+  Surface obstacles{};                // of those vertices
+  std::vector<std::array<int, 3>> walls{};  // its triangles, turning left when seen from outside
 };
 
 /// What pictures, frames and the summary show of forces.
@@ -60,6 +66,9 @@ std::array<int, P> read_members(const Value& element, Eigen::Index count) {
 
 constexpr std::int64_t max_particles = 5'000'000;
 
+/// The mesh in a file that a text names; the text becomes its whole path.
+Mesh read_mesh_file(const Value& value, const std::filesystem::path& folder);
+
 /// The mesh of "particles": of the generator `origin`; of "position" the cells of so many `listed` positions.
 Mesh read_mesh(const std::string& origin, const Value& particles, Eigen::Index listed, int dimension,
                const std::filesystem::path& folder);
@@ -68,9 +77,18 @@ Mesh read_mesh(const std::string& origin, const Value& particles, Eigen::Index l
 Particles read_particles(const Value& particles, int dimension, std::uint64_t seed,
                          const std::filesystem::path& folder);
 
+/// "obstacles": their vertices become particles that are fixed, after the others.
+void read_obstacles(const Value& obstacles, const std::filesystem::path& folder, Particles& particles);
+
+/// What forces bring to a scene beside their elements.
+struct ForcesFound {
+  Drawn drawn{};
+  std::vector<std::string> warnings{};
+  std::vector<std::shared_ptr<ContactRecord>> contacts{};
+};
+
 /// "forces": adds the elements of each to the system.
-Drawn read_forces(const Value& forces, const Particles& particles, System<double>& system,
-                  std::vector<std::string>& warnings);
+ForcesFound read_forces(const Value& forces, const Particles& particles, System<double>& system);
 
 inline constexpr int largest_degree = 256;
 

@@ -111,6 +111,9 @@ void require_control_for(const Truncation& law, const Value& control) {
 
 namespace {
 
+/// Without elements that come and go: barriers give no bound.
+Model<double> always_there(const System<double>& system) { return Model<double>::without_changing(system); }
+
 void refuse_without_stiffness(const Value& courant) {
   courant.refuse("left out: no force of this scene has a stiffness that limits the step");
 }
@@ -133,7 +136,9 @@ std::optional<double> read_courant_of_series(const Value& control, const System<
   const auto courant = control.find("courant");
   if (!courant) return std::nullopt;
   const double safety = courant->number(fraction),
-               step = checked(*courant, [&] { return courant_step(system, start, law, velocity, safety); });
+               step = checked(*courant, [&] {
+                 return courant_step(always_there(system), start, law, velocity, safety);
+               });
   if (!std::isfinite(step)) refuse_without_stiffness(*courant);
   return safety;
 }
@@ -149,7 +154,8 @@ std::unique_ptr<Control> read_control(const Value& control, const TruncationLaw&
   const auto refresh = static_cast<int>(
       control.at("courant_refresh", Courant::usual_refresh).integer(1, std::numeric_limits<int>::max()));
   return checked(control.at("courant"), [&] {
-    return std::make_unique<Courant>(std::move(inner), *courant, system, law, velocity, refresh);
+    return std::make_unique<Courant>(std::move(inner), *courant, always_there(system), law, velocity,
+                                     refresh);
   });
 }
 

@@ -65,6 +65,22 @@ int read_threads(const Value& schedule, const MethodRecord& record) {
   return threads;
 }
 
+/// Refuses a method for which elements that come and go would be always there, or never.
+void require_follows_contacts(const Value& integrator, const Value& schedule, const MethodRecord& record) {
+  if (record.follows_contacts) return;
+  std::string others;
+  for (const std::string& name :
+       names_where([](const MethodRecord& one) { return of_integrator(one) && one.follows_contacts; }))
+    others += (others.empty() ? "" : " or ") + name;
+  for (const std::string& name :
+       names_where([](const MethodRecord& one) { return !of_integrator(one) && one.follows_contacts; }))
+    others += ", or with the schedule " + name;
+  (of_integrator(record) ? integrator : schedule)
+      .at("type")
+      .refuse(others + " in lockstep beside a force contact_barrier, whose elements come and go" +
+              (record.name == "avi" ? "; with avi take contact_layers" : ""));
+}
+
 Method in_lockstep(const MethodRecord& record, const StepperArguments& arguments) {
   const Stepper stepper = record.stepper(arguments);
   const Value& control = arguments.control;
@@ -115,6 +131,7 @@ Method read_method(const Value& scene, std::shared_ptr<const System<double>> sys
       schedule.at("type", usual).one_of(own ? std::vector<std::string>{usual} : schedule_types());
   const MethodRecord& record = type == usual ? by_type : method_record(type);
   if (!own) check_keys(schedule, record.keys, "schedule");
+  if (!system->changing().empty()) require_follows_contacts(integrator, schedule, record);
   const int threads = read_threads(schedule, record);
 
   Method method;

@@ -261,6 +261,10 @@ Particles read_particles(const Value& value, int dimension, std::uint64_t seed,
   }
   const auto count = static_cast<std::size_t>(particles.state.position.rows());
 
+  particles.own = count;
+  if (origin == "grid")
+    for (std::size_t axis = 0; axis < value.at("grid").size(); ++axis)
+      particles.grid.push_back(static_cast<int>(value.at("grid").at(axis).integer(1, max_particles)));
   particles.rest = particles.state.position;
   if (const auto rest = value.find("rest")) {
     if (rest->size() != count) rest->refuse("as many positions as particles, " + std::to_string(count));

@@ -57,8 +57,11 @@ Shape shape_of(const Particles& particles, Drawn& drawn) {
   const auto& sheets = has_cells ? particles.mesh.triangles : drawn.triangles;
   if (!shape.tetrahedra.empty()) shape.surface = boundary(shape.tetrahedra, particles.rest);
   shape.surface.insert(shape.surface.end(), sheets.begin(), sheets.end());
-  for (std::size_t i = 0; i < particles.fixed.size(); ++i)
+  for (std::size_t i = 0; i < particles.own; ++i)
     if (particles.fixed[i]) shape.fixed.push_back(static_cast<int>(i));
+  shape.obstacles = shape.particles - static_cast<int>(particles.own);
+  shape.surface.insert(shape.surface.end(), particles.walls.begin(), particles.walls.end());
+  shape.walls = particles.obstacles.loose_edges();
   return shape;
 }
 
@@ -110,19 +113,22 @@ Scene read(Document& document, const std::filesystem::path& folder) {
   scene.output = read_output(value.at("output", JsonText{"{}"}));
   const auto dimension = static_cast<int>(value.at("dimension", 3).integer(1, 3));
   Particles particles = read_particles(value.at("particles"), dimension, scene.seed, folder);
+  if (const auto obstacles = value.find("obstacles")) read_obstacles(*obstacles, folder, particles);
   scene.warnings = particles.mesh.warnings;
 
   auto system = std::make_shared<System<double>>(dimension, particles.mass);
   for (std::size_t i = 0; i < particles.fixed.size(); ++i)
     if (particles.fixed[i]) system->fix(static_cast<int>(i));
-  Drawn drawn = read_forces(value.at("forces", JsonText{"[]"}), particles, *system, scene.warnings);
+  ForcesFound forces = read_forces(value.at("forces", JsonText{"[]"}), particles, *system);
+  scene.warnings.insert(scene.warnings.end(), forces.warnings.begin(), forces.warnings.end());
+  scene.contacts = std::move(forces.contacts);
   Method method = read_method(value, system, particles.state, scene.seed);
 
   if (method.fixed_step) warn_of_swings(*system, *method.fixed_step, scene.warnings);
   require_memory(*system, static_cast<int>(method.largest_degree), value.at("particles"));
   require_energy(*system, particles.state, value.at("particles"));
-  scene.shape = shape_of(particles, drawn);
-  scene.solids = std::move(drawn.solids);
+  scene.shape = shape_of(particles, forces.drawn);
+  scene.solids = std::move(forces.drawn.solids);
   if (!scene.solids.empty()) scene.rest = std::move(particles.rest);
   scene.shape.up = up_of(*system);
   scene.initial = std::move(particles.state);

@@ -96,6 +96,7 @@ const SceneKeys& scene_keys() {
         {"dimension", "1, 2, 3", "3"},
         {"particles", "an object, see below", "required"},
         {"forces", "a list of objects, see below", "none"},
+        {"obstacles", "a list of objects, see below", "none"},
         {"integrator", "an object with the `type` of a method, see the page of each", "required"},
         {"control", "an object with a `type`, see below and the page of the method",
          "required by most methods"},
@@ -119,7 +120,11 @@ std::string scene_page() {
   return top + markdown_table(scene_keys()) +
          "\n## Particles\n\nListed, or made by a generator, named by its key.\n\n" +
          markdown_table(merged("particles", particle_choices())) +
-         "\nA mesh has edges, faces and tetrahedra; springs may lie along its edges.\n\n## Forces\n\n" +
+         "\nA mesh has edges, faces and tetrahedra; springs may lie along its edges.\n\n## Obstacles\n\n"
+         "What contacts may touch and nothing moves: particles that are fixed, after those of `particles` in "
+         "the "
+         "summary and in frames. Forces that act on all particles or all pairs leave them out.\n\n" +
+         markdown_table(merged("obstacles[]", obstacle_choices())) + "\n## Forces\n\n" +
          sections(force_records()) +
          "## Controls of Taylor's methods\n\nHow far a step goes. Each takes `courant` too: a fraction of "
          "the stability limit of springs and solids, > 0 and <= 1, that no step exceeds; of solids it is "

@@ -68,7 +68,7 @@ const BadScene bad_scenes[] = {
     {"UnknownForce", "/forces/0/type", "\"sprong\"", "forces[0].type",
      "spring, drag, uniform_field, oscillating_field, gravity, floor, neo_hookean, stable_neo_hookean, stvk, "
      "corotated, "
-     "traction, pressure, membrane, bending, angle or dihedral"},
+     "traction, pressure, membrane, bending, angle, dihedral or contact_barrier"},
     {"ForceWithoutType", "/forces/1/type", "", "forces[1].type", "is missing"},
     {"ForcesNotAnArray", "/forces", "{}", "forces", "an array"},
     {"PairOutOfRange", "/forces/0/pairs", "[[0, 1], [1, 7]]", "forces[0].pairs[1][1]", "got 7"},

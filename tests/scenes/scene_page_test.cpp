@@ -22,6 +22,8 @@ TEST(ScenePage, NamesEveryMemberOfEveryRegister) {
   for (const auto& record : law_records()) EXPECT_THAT(page, HasSubstr("### `" + record.name + "`"));
   for (const auto& choice : particle_choices())
     EXPECT_THAT(page, HasSubstr("`particles." + choice.name + "`"));
+  for (const auto& choice : obstacle_choices())
+    EXPECT_THAT(page, HasSubstr("`obstacles[]." + choice.name + "`"));
 }
 
 TEST(ScenePage, NamesEveryKeyOfTheSummaryAndEveryOutcome) {
@@ -43,7 +45,7 @@ TEST(ScenePage, NamesEveryKeyOfTheSummaryAndEveryOutcome) {
 Json read(const Json& particles, const Json& forces) {
   const Json scene = {{"particles", particles},
                       {"forces", forces},
-                      {"integrator", {{"type", "leapfrog"}}},
+                      {"integrator", {{"type", "taylor"}, {"degree", 2}}},
                       {"control", {{"type", "fixed"}, {"step", 0.1}}},
                       {"until", 1}};
   return Json::parse(read_scene(scene.dump(), "test", ".").json);

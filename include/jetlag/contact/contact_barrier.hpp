@@ -21,8 +21,10 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
+#include "jetlag/contact/contact_record.hpp"
 #include "jetlag/contact/surface.hpp"
 #include "jetlag/model/changing_elements.hpp"
 #include "jetlag/model/system.hpp"
@@ -37,6 +39,8 @@ struct ContactBarrier {
   double gap = 0;            // xi >= 0: what is always kept [m]
   double power = 7;          // q, 1 to 7: how fast the barrier grows
   bool with_itself = true;   // whether one body, held together by its edges and triangles, touches itself
+  std::shared_ptr<ContactRecord>
+      record{};  // where what it has done is counted; not by several runs at once. null: nowhere
 };
 
 /// Throws std::invalid_argument for numbers out of range, particles that do not exist, triangles in the plane, edges and triangles

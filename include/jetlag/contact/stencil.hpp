@@ -5,6 +5,7 @@
 #include <array>
 #include <compare>
 #include <span>
+#include <string>
 
 #include "jetlag/contact/closest.hpp"
 
@@ -20,5 +21,8 @@ struct Stencil {
   }
   friend auto operator<=>(const Stencil&, const Stencil&) = default;
 };
+
+/// "vertex 12 and triangle (3, 9, 17)"
+std::string names_of(const Stencil& stencil);
 
 }  // namespace jetlag

@@ -37,4 +37,7 @@ class Surface {
   std::vector<std::array<int, 3>> triangles_;
 };
 
+/// For each particle the least of those that edges join it to, step by step: the same for all of one body.
+std::vector<int> bodies_of(const Surface& surface, int particles);
+
 }  // namespace jetlag

@@ -57,6 +57,10 @@ Mesh box(const std::array<double, 3>& lengths, const std::array<int, 3>& cells);
 /// The same in the plane: two triangles a cell, cut along (1, 1).
 Mesh rectangle(const std::array<double, 2>& lengths, const std::array<int, 2>& cells);
 
+/// The sphere about the origin: an icosahedron each of whose edges is cut into so many `cells`, its 20 cells^2 triangles turning
+/// left when seen from outside. radius [m], > 0; cells, >= 1. Throws std::invalid_argument for others.
+Mesh geodesic_sphere(double radius, int cells);
+
 /// Points spacing [m] apart, counts[d] of them along axis d (1, 2 or 3 axes), in a space of `dimension`.
 /// Edges join neighbours along the axes; with `cloth` also along the diagonals (shear) and over two (bend).
 Mesh regular_grid(const std::vector<int>& counts, double spacing, int dimension, bool cloth);

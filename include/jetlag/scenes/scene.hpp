@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "jetlag/contact/contact_record.hpp"
 #include "jetlag/ensembles/random_ensemble.hpp"
 #include "jetlag/model/system.hpp"
 #include "jetlag/output/deformation.hpp"
@@ -33,6 +34,7 @@ struct Scene {
   Coordinates<double> rest;  // positions at rest of solids [m]; empty without any
   double until = 0;
   std::uint64_t seed = 1;
+  std::vector<std::shared_ptr<ContactRecord>> contacts;  // of its contacts: the next run writes into them
   std::uint64_t max_steps = 0;
   int threads = 1;
   OutputOptions output;

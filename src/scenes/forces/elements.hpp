@@ -2,7 +2,7 @@
 #pragma once
 // Elements of solids and of cloth in a scene: which ones there are.
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
 #include <string>
@@ -102,6 +102,23 @@ std::array<Vector<double, D>, P> corners_of(const std::array<int, P>& cell,
   std::array<Vector<double, D>, P> x;
   for (std::size_t i = 0; i < P; ++i) x[i] = position.row(cell[i]);
   return x;
+}
+
+/// Refuses edges without length and triangles without area.
+template <std::size_t P>
+void require_extent(const Value& value, const Cells<P>& cells, const Coordinates<double>& position) {
+  for (std::size_t e = 0; e < cells.size(); ++e) {
+    std::array<Eigen::Vector3d, P> x;
+    for (std::size_t i = 0; i < P; ++i) {
+      x[i].setZero();
+      x[i].head(position.cols()) = position.row(cells[e][i]);
+    }
+    const Eigen::Vector3d a = x[1] - x[0], b = x[P - 1] - x[0];
+    const bool has = P == 2 ? a.norm() > 0 : a.cross(b).norm() > 1e-12 * a.norm() * b.norm();
+    if (!has)
+      throw SceneError(path_of(value, e) + ": has no " + (P == 2 ? "length" : "area") +
+                       "; its particles must not be " + (P == 2 ? "in one place" : "in one line"));
+  }
 }
 
 /// Refuses elements that are flat or inside out at rest.

@@ -20,7 +20,7 @@ constexpr std::size_t max_pairs = 50'000'000;
 
 /// "pairs": a list of pairs, "edges" of the mesh, or "all". Listed pairs must be of two different particles.
 Pairs read_pairs(const Value& value, const Particles& particles) {
-  const auto count = static_cast<std::size_t>(particles.state.position.rows());
+  const std::size_t count = particles.own;
   Pairs pairs;
   if (value.is_string()) {
     const bool all = value.one_of({"edges", "all"}) == "all";
@@ -143,7 +143,9 @@ void read_gravity(const Value& force, ForcesRead& into) {
 
 /// "coefficient" [kg/s], or "rate" [1/s] times the mass.
 void read_drag(const Value& force, ForcesRead& into) {
-  const std::vector<double>& mass = into.particles.mass;
+  const std::vector<double> mass(
+      into.particles.mass.begin(),
+      into.particles.mass.begin() + static_cast<std::ptrdiff_t>(into.particles.own));
   const auto rate = force.find("rate");
   if (rate && force.has("coefficient")) rate->refuse("left out beside coefficient, or coefficient beside it");
   auto coefficient = (rate ? *rate : force.at("coefficient")).numbers(mass.size(), non_negative, "particle");
@@ -269,15 +271,14 @@ std::vector<ForceRecord> records_of_particles() {
 const std::vector<ForceRecord>& force_records() {
   static const std::vector<ForceRecord> records = [] {
     std::vector<ForceRecord> all = records_of_particles();
-    for (auto* more : {&solid_records, &cloth_records, &molecular_records})
+    for (auto* more : {&solid_records, &cloth_records, &molecular_records, &contact_records})
       std::ranges::move(more(), std::back_inserter(all));
     return all;
   }();
   return records;
 }
 
-Drawn read_forces(const Value& forces, const Particles& particles, System<double>& system,
-                  std::vector<std::string>& warnings) {
+ForcesFound read_forces(const Value& forces, const Particles& particles, System<double>& system) {
   const std::vector<std::string> types = names_of(force_records());
   const Components up = upwards(forces, particles.dimension);
   ForcesRead into{particles, up, system};
@@ -289,8 +290,7 @@ Drawn read_forces(const Value& forces, const Particles& particles, System<double
     for (const SceneKey& key : record.keys) keys.push_back(key.key);
     record.read(force.only(keys), into);
   }
-  warnings.insert(warnings.end(), into.warnings.begin(), into.warnings.end());
-  return std::move(into.drawn);
+  return {std::move(into.drawn), std::move(into.warnings), std::move(into.contacts)};
 }
 
 }  // namespace jetlag

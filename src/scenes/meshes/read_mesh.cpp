@@ -119,7 +119,9 @@ Mesh read_grid(const Value& particles, int dimension) {
   return regular_grid(counts, particles.at("spacing").number(positive), dimension, cloth);
 }
 
-Mesh read_file(const Value& value, const std::filesystem::path& folder) {
+}  // namespace
+
+Mesh read_mesh_file(const Value& value, const std::filesystem::path& folder) {
   const std::filesystem::path file = std::filesystem::absolute(folder / value.text());
   std::error_code why;
   const bool is_file =
@@ -139,8 +141,6 @@ Mesh read_file(const Value& value, const std::filesystem::path& folder) {
   }
 }
 
-}  // namespace
-
 Mesh read_mesh(const std::string& origin, const Value& particles, Eigen::Index listed, int dimension,
                const std::filesystem::path& folder) {
   if (origin == "position") return read_cells(particles, dimension, listed);
@@ -152,7 +152,7 @@ Mesh read_mesh(const std::string& origin, const Value& particles, Eigen::Index l
   if (origin == "ellipsoid") return read_ellipsoid(value);
   if (origin == "ellipse") return read_ellipse(value);
   if (origin == "sheet") return read_sheet(value);
-  return read_file(value, folder);
+  return read_mesh_file(value, folder);
 }
 
 }  // namespace jetlag

@@ -18,9 +18,9 @@ namespace jetlag {
 
 namespace {
 
-class Surface {
+class SurfaceReader {
  public:
-  explicit Surface(Words& words) : words_(words) {}
+  explicit SurfaceReader(Words& words) : words_(words) {}
 
   Mesh read() {
     for (std::string word; words_.next(word);) {
@@ -165,7 +165,7 @@ class Surface {
 Mesh read_wavefront(const std::filesystem::path& file) {
   Words words(file);
   try {
-    return Surface(words).read();
+    return SurfaceReader(words).read();
   } catch (const std::bad_alloc&) {
     words.refuse("the memory that this process may have is not enough for it");
   }

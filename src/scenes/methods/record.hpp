@@ -90,6 +90,7 @@ struct MethodRecord {
   std::vector<Promise> promises{};    // of a stepper
   bool draws = false;                 // random numbers
   bool threaded = false;              // takes schedule.threads
+  bool follows_contacts = false;      // runs scenes in which elements come and go
   std::string named_by = "integrator.type";
 
   /// One of these two makes it: a stepper under `lockstep`, or a schedule of its own. Both throw SceneError.

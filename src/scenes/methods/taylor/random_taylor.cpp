@@ -16,6 +16,9 @@ Stepper read_random_taylor(const StepperArguments& arguments) {
     tolerance->refuse("left out for random_taylor, whose degrees are given");
   require_control_for(law, control);
   const bool shared_draw = integrator.at("shared_draw", true).boolean();
+  if (!shared_draw && !system->changing().empty())
+    integrator.at("shared_draw")
+        .refuse("true beside a contact, whose elements come and go for all particles");
   const Draw draws = read_draws(integrator, law, shared_draw, system->particles());
   return series_method(arguments, law, shared_draw, draws);
 }
@@ -83,6 +86,7 @@ MethodRecord random_taylor() {
                    random_taylor_promise(3, 6, false, VelocitySeries::derivative)},
       .draws = true,
       .threaded = true,
+      .follows_contacts = true,
       .stepper = read_random_taylor};
 }
 

@@ -76,6 +76,7 @@ MethodRecord taylor() {
       .promises = {taylor_promise(2), taylor_promise(3), taylor_promise(4), taylor_promise(5),
                    taylor_promise(6), taylor_promise(5, true)},
       .threaded = true,
+      .follows_contacts = true,
       .stepper = read_taylor};
 }
 
