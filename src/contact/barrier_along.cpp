@@ -182,6 +182,7 @@ double BarrierAlong::up_to_change(const PositionSeries& position, double h, Repo
               pair.stencil.vertices[0]};
     return 0.0;
   }
+  if (contact_->record) foresee(position, h);
   return h;
 }
 
@@ -224,6 +225,7 @@ std::optional<double> BarrierAlong::first_approach(const Pair& pair, const Posit
                 position.unit,
                 dimension_,
                 position.weights};
+  ++searched_;
   return approach_.first(pair.stencil.kind, std::span(paths).first(particles.size()), h, reach);
 }
 
@@ -305,6 +307,7 @@ bool BarrierAlong::is_safe(const PositionSeries& position, double h, bool is_giv
                 pair.stencil.vertices[0]};
     return false;
   }
+  if (contact_->record) foresee(position, h);
   return true;
 }
 
@@ -317,20 +320,9 @@ void BarrierAlong::take(double h, const Coordinates<double>& position) {
     is_changed_ |= before != std::tuple(pair.is_on, pair.support, pair.lie);
   }
   left_at_ = position;
+  if (contact_->record) record_step(h, position);
 }
 
-std::string BarrierAlong::names(const Stencil& stencil) const {
-  const auto list = [&](int first, int end) {
-    std::string text;
-    for (int i = first; i < end; ++i) text += (i > first ? ", " : "") + std::to_string(stencil.vertices[i]);
-    return text;
-  };
-  const int side = first_side(stencil.kind), end = vertices_of(stencil.kind);
-  const auto feature = [&](int first, int last) {
-    static constexpr const char* what[] = {"vertex ", "edge (", "triangle ("};
-    return what[last - first - 1] + list(first, last) + (last - first > 1 ? ")" : "");
-  };
-  return feature(0, side) + " and " + feature(side, end);
-}
+std::string BarrierAlong::names(const Stencil& stencil) const { return names_of(stencil); }
 
 }  // namespace jetlag

@@ -2,6 +2,7 @@
 #pragma once
 // The barriers of a surface along a motion.
 
+#include <limits>
 #include <map>
 #include <memory>
 #include <vector>
@@ -57,6 +58,8 @@ class BarrierAlong final : public ElementsAlong {
   double stray(const Pair& pair, const PositionSeries& position, double h) const;
   double parallel_below(const Stencil& stencil) const;
   std::string names(const Stencil& stencil) const;
+  void foresee(const PositionSeries& position, double h);
+  void record_step(double h, const Coordinates<double>& position);
 
   std::shared_ptr<const ContactBarrier> contact_;
   int dimension_;
@@ -67,6 +70,17 @@ class BarrierAlong final : public ElementsAlong {
   Approach approach_;
   Coordinates<double> left_at_;
   bool is_changed_ = true;  // whether pairs act otherwise than in the model
+
+  // For the record (barrier_record.cpp).
+  struct Foreseen {
+    double gap = std::numeric_limits<double>::infinity();  // [m]
+    double time = 0, begin = 0;                            // [s]: in the step, and its beginning
+    Stencil stencil{};
+  };
+  Foreseen foreseen_;                        // the smallest gap of the step that was looked at last
+  std::uint64_t tested_ = 0, searched_ = 0;  // not yet in the record
+  std::uint64_t looks_recorded_ = 0;
+  std::vector<Stencil> active_;  // after the last step, ascending
 };
 
 }  // namespace jetlag
