@@ -4,6 +4,7 @@
 
 #include "jetlag/contact/clearance.hpp"
 #include "jetlag/contact/contact_barrier.hpp"
+#include "jetlag/contact/contact_meter.hpp"
 #include "jetlag/contact/contact_record.hpp"
 #include "jetlag/control/courant.hpp"
 #include "jetlag/control/damping_bound.hpp"

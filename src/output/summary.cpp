@@ -50,6 +50,20 @@ std::string all_of(const std::optional<CourantFrequency>& frequency) {
       {{"bound", json::value(frequency->bound)}, {"refreshed", json::value(frequency->refreshed)}});
 }
 
+std::string all_of(const std::optional<ContactRecord>& contact) {
+  if (!contact) return json::object({});
+  const ContactRecord::Gap& smallest = contact->smallest_gap;
+  return json::object({{"stencils_tested", json::value(contact->stencils_tested)},
+                       {"crossings_tested", json::value(contact->crossings_tested)},
+                       {"looks", json::value(contact->looks)},
+                       {"active_largest", json::value(contact->active_largest)},
+                       {"contacts", json::object({{"begun", json::value(contact->begun)},
+                                                  {"ended", json::value(contact->ended)}})},
+                       {"smallest_gap", json::object({{"value", json::value(smallest.value)},
+                                                      {"time", json::value(smallest.time)},
+                                                      {"particles", json::list_of(smallest.particles)}})}});
+}
+
 }  // namespace
 
 std::string to_json(const Summary& summary) {
@@ -65,6 +79,7 @@ std::string to_json(const Summary& summary) {
                   {"work", all_of(summary.work)},
                   {"elements", all_of(summary.elements)},
                   {"frequency", all_of(summary.frequency)},
+                  {"contact", all_of(summary.contact)},
                   {"wall_seconds", json::value(summary.wall_seconds)},
                   {"version", json::value(summary.version)},
                   {"seed", json::value(summary.seed)},

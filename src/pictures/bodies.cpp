@@ -18,7 +18,7 @@ using Points = std::vector<Eigen::Vector3d>;  // on the screen
 using Triangle = std::array<int, 3>;
 
 const Eigen::Vector3d lamp = Eigen::Vector3d(-0.42, 0.78, 0.55).normalized();  // towards it, on the screen
-constexpr Colour shade = colour(0x27344d), floor_shadow = colour(0xe6e9ed);
+constexpr Colour shade = colour(0x27344d), floor_shadow = colour(0xe6e9ed), stone = colour(0xc9ccd1);
 
 /// Whether every edge is passed once in each direction: then only the outside is ever seen.
 bool closed(const std::vector<Triangle>& surface) {
@@ -94,6 +94,7 @@ class Painter {
     const Palette palette = speed_palette();
     const auto place = [&](const Eigen::Vector3d& point) { return strip.place(panel, point); };
     support_.draw(strip, panel, camera_);
+    draw_walls(strip, panel, shape_, points);
     if (casts_shadow(shape_, support_)) draw_shadow(strip, panel, points);
     for (const Part& part : visible_parts(points)) {
       if (part.mark >= 0) {
@@ -105,11 +106,13 @@ class Painter {
       const double pace = (speed[triangle[0]] + speed[triangle[1]] + speed[triangle[2]]) / 3;
       const Eigen::Vector3d normal = (b - a).cross(c - a).normalized();
       draw_triangle(strip.canvas, {place(a), place(b), place(c)},
-                    lit(palette(fastest > 0.0 ? pace / fastest : 0.0), normal.z() < 0.0 ? -normal : normal));
+                    lit(is_obstacle(triangle) ? stone : palette(fastest > 0.0 ? pace / fastest : 0.0),
+                        normal.z() < 0.0 ? -normal : normal));
     }
   }
 
  private:
+  bool is_obstacle(const Triangle& triangle) const { return triangle[0] >= own_particles(shape_); }
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
   static std::array<Eigen::Vector3d, 3> corners(const Triangle& triangle, const Points& points) {
     return {points[index(triangle[0])], points[index(triangle[1])], points[index(triangle[2])]};

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -153,6 +154,14 @@ void Strip::legend(const Palette& palette, const std::string& name, const std::s
   canvas.text({start.x() + length, below}, high, 20, pencil, Canvas::Align::right);
 }
 
+void draw_walls(Strip& strip, std::size_t panel, const Shape& shape,
+                const std::vector<Eigen::Vector3d>& points) {
+  const double thickness = shape.dimension == 2 ? 3.0 : 1.0;  // [px]
+  for (const auto& [a, b] : shape.walls)
+    strip.canvas.line(strip.place(panel, points[static_cast<std::size_t>(a)]),
+                      strip.place(panel, points[static_cast<std::size_t>(b)]), pencil, thickness);
+}
+
 bool can_draw() { return !gnuplot::program().empty(); }
 
 void draw_film(const std::filesystem::path& picture, const Shape& shape, const std::vector<Frame>& frames,
@@ -161,12 +170,14 @@ void draw_film(const std::filesystem::path& picture, const Shape& shape, const s
   if (shape.particles < 1) throw std::invalid_argument("draw_film: there are no particles");
   for (const Frame& frame : frames) check_frame(shape, frame);
   constexpr int few = 10;
-  const bool shows_surface = !shape.surface.empty() && (shape.dimension == 3 || shape.lines.empty());
-  const auto draw = shape.dimension == 1     ? draw_lines
-                    : shows_surface          ? draw_bodies
-                    : !shape.lines.empty()   ? draw_springs
-                    : shape.particles <= few ? draw_orbits
-                                             : draw_swarm;
+  const bool has_surface = std::ranges::any_of(
+      shape.surface, [&](const auto& triangle) { return triangle[0] < own_particles(shape); });
+  const bool shows_surface = has_surface && (shape.dimension == 3 || shape.lines.empty());
+  const auto draw = shape.dimension == 1          ? draw_lines
+                    : shows_surface               ? draw_bodies
+                    : !shape.lines.empty()        ? draw_springs
+                    : own_particles(shape) <= few ? draw_orbits
+                                                  : draw_swarm;
   draw(picture, shape, frames, title);
 }
 

@@ -31,6 +31,9 @@ struct Window {
   Eigen::Vector2d size() const { return high - low; }
 };
 
+/// How many particles there are without obstacles.
+inline int own_particles(const Shape& shape) { return shape.particles - shape.obstacles; }
+
 /// Speeds [m/s], one for each particle.
 Eigen::VectorXd speeds(const Frame& frame);
 
@@ -71,6 +74,10 @@ class Strip {
   double scale_;
   std::vector<Point> corners_;  // lower left of each panel
 };
+
+/// The edges of obstacles in a panel; points: of all particles, on the screen.
+void draw_walls(Strip& strip, std::size_t panel, const Shape& shape,
+                const std::vector<Eigen::Vector3d>& points);
 
 void draw_bodies(const std::filesystem::path& picture, const Shape& shape, const std::vector<Frame>& frames,
                  const std::string& title);

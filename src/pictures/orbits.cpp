@@ -31,7 +31,8 @@ void draw_orbits(const std::filesystem::path& picture, const Shape& shape, const
     for (const auto& point : points) window.include(point);
   Strip strip(title, window, {frames.back().time});
   const auto place = [&](std::size_t moment, std::size_t body) { return strip.place(0, path[moment][body]); };
-  const auto bodies = static_cast<std::size_t>(shape.particles);
+  const auto bodies = static_cast<std::size_t>(own_particles(shape));
+  draw_walls(strip, 0, shape, path.front());
   for (std::size_t moment = 0; moment + 1 < path.size(); ++moment)
     for (std::size_t body = 0; body < bodies; ++body) {
       const double youth = double(moment) / double(path.size());

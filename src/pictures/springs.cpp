@@ -64,6 +64,7 @@ void draw_springs(const std::filesystem::path& picture, const Shape& shape, cons
     const Eigen::VectorXd strain = strains(frame);
     const auto point = [&](int particle) { return points[static_cast<std::size_t>(particle)]; };
     support.draw(strip, panel, camera);
+    draw_walls(strip, panel, shape, points);
     for (const std::size_t s : by_depth(shape.lines.size(), [&](std::size_t line) {
            return (point(shape.lines[line][0]) + point(shape.lines[line][1])).z();
          })) {
@@ -73,7 +74,7 @@ void draw_springs(const std::filesystem::path& picture, const Shape& shape, cons
                         palette(0.5 + 0.5 * share), thickness);
     }
     if (radius >= 1.8)
-      for (int i = 0; i < shape.particles; ++i)
+      for (int i = 0; i < own_particles(shape); ++i)
         strip.canvas.dot(strip.place(panel, point(i)), radius, mixed(ink, white, 0.15));
     for (const int i : shape.fixed)
       strip.canvas.dot(strip.place(panel, point(i)), std::max(2.5, 1.5 * radius), ink);
@@ -100,8 +101,9 @@ void draw_swarm(const std::filesystem::path& picture, const Shape& shape, const 
     const Frame& frame = frames[chosen.frames[panel]];
     const auto points = camera.all(frame.position);
     const Eigen::VectorXd speed = speeds(frame);
-    for (const std::size_t i :
-         by_depth(points.size(), [&](std::size_t particle) { return points[particle].z(); })) {
+    draw_walls(strip, panel, shape, points);
+    for (const std::size_t i : by_depth(static_cast<std::size_t>(own_particles(shape)),
+                                        [&](std::size_t particle) { return points[particle].z(); })) {
       const double pace = speed[static_cast<Eigen::Index>(i)] / (fastest > 0.0 ? fastest : 1.0);
       const Point centre = strip.place(panel, points[i]);
       strip.canvas.dot(centre, radius, mixed(palette(pace), ink, 0.35));

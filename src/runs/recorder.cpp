@@ -52,6 +52,7 @@ Recorder::Recorder(const Scene& scene, const RunHooks& hooks, RunResult& result)
     : scene_(scene), hooks_(hooks), result_(result), last_(scene.initial) {
   if (scene.output.energy) meter_.emplace(*scene.system);
   if (!scene.solids.empty()) deformation_.emplace(scene.solids, scene.rest);
+  if (!scene.contacts.empty() && hooks.frame) contact_.emplace(*scene.system);
   record(scene.initial);
 }
 
@@ -77,6 +78,11 @@ void Recorder::record(const State<double>& state) {
   if (result_.clocks) {
     frame.step = result_.clocks->step();
     frame.degree = result_.clocks->degree();
+  }
+  if (contact_) {
+    contact_->measure(state);
+    frame.gap = contact_->gap();
+    frame.contact_force = contact_->force();
   }
   hooks_.frame(frame);
 }

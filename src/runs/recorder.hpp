@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "jetlag/contact/contact_meter.hpp"
 #include "jetlag/model/energy.hpp"
 #include "jetlag/runs/run_scene.hpp"
 
@@ -45,6 +46,7 @@ class Recorder {
   RunResult& result_;
   std::optional<EnergyMeter> meter_;
   std::optional<DeformationMeter> deformation_;
+  std::optional<ContactMeter> contact_;
   double largest_kinetic_ = 0, largest_change_ = 0;  // [J]
   State<double> last_;
   Report failure_;

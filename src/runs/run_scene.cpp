@@ -18,6 +18,7 @@ void run_schedule(const Scene& scene, Schedule& schedule, const RunHooks& hooks,
   Summary& summary = result.summary;
   summary.warnings = scene.warnings;
   State<double> state = scene.initial;
+  for (const auto& contact : scene.contacts) *contact = {};
   if (scene.output.clocks) result.clocks.emplace(scene.system->fixed());
   Recorder recorder(scene, hooks, result);
 
@@ -64,6 +65,10 @@ void run_schedule(const Scene& scene, Schedule& schedule, const RunHooks& hooks,
   summary.final_momentum = momentum(*scene.system, state);
   summary.work = schedule.work();
   summary.frequency = schedule.courant_frequency();
+  for (const auto& contact : scene.contacts) {
+    if (!summary.contact) summary.contact.emplace();
+    *summary.contact += *contact;
+  }
   summary.position = std::move(state.position);
   summary.velocity = std::move(state.velocity);
   summary.version = version;

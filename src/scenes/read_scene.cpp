@@ -60,8 +60,10 @@ Shape shape_of(const Particles& particles, Drawn& drawn) {
   for (std::size_t i = 0; i < particles.own; ++i)
     if (particles.fixed[i]) shape.fixed.push_back(static_cast<int>(i));
   shape.obstacles = shape.particles - static_cast<int>(particles.own);
-  shape.surface.insert(shape.surface.end(), particles.walls.begin(), particles.walls.end());
   shape.walls = particles.obstacles.loose_edges();
+  if (shape.surface.empty())
+    shape.walls = particles.obstacles.edges();  // pictures of springs and points show edges
+  shape.surface.insert(shape.surface.end(), particles.walls.begin(), particles.walls.end());
   return shape;
 }
 

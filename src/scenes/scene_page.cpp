@@ -31,6 +31,9 @@ another run that writes there), which is named with the reason; 2 for a scene or
 when, which particle and what to do, and leaves the last good state. Ctrl-C, SIGTERM and SIGHUP (a terminal that is closed)
 end a run in good order, with the outputs up to there.
 
+Frames have of each particle `velocity` and `fixed`, with `output.clocks` `step` and `degree`, and where there are contacts
+`gap`, its smallest one [m] (-1 where nothing is within the thickness), and `contact_force` [N], on the vertices of obstacles too.
+
 `summary.json` holds
 
 | key | what |
@@ -43,6 +46,7 @@ end a run in good order, with the outputs up to there.
 | `work` | `updates` of particles, `steps`, `coefficients` of particles, `element_coefficients` (of forces, what costs), `mean_degree`, `rejected` steps, `wake_ups` of particles; a step is rejected and halved where the forces at its end are not those that its series foresaw |
 | `elements` | of each type of solid: `count`; `volume` at rest [m^3]; `min_J`, the least volume of an element as part of that at rest, with `min_J_element` (its particles) and `min_J_time` [s]; `max_stretch`; `inverted`, the most elements that were inside out at once; all at the frames |
 | `frequency` | of a `courant` limit of Taylor's methods: `bound`, of the fastest frequency [rad/s], of solids in the last state for which it was taken; `refreshed`, how often it was taken anew; empty where there is none |
+| `contact` | `stencils_tested`, pairs of features (vertices, edges, triangles) that were looked at in all steps; `crossings_tested`, those of them whose motion was searched; `looks` at the whole surface; `active_largest`, the most pairs within the thickness at once; `contacts`, how many pairs came within it, `begun`, and left it, `ended`; `smallest_gap`: its `value` [m], `time` [s] and the `particles` of the pair, to some thousandths, null where nothing came near; empty without a force of contact |
 | `wall_seconds`, `version`, `seed`, `instruction_set`, `threads` | of this run |
 | `warnings` | a list of texts, empty when there are none; one is that of a scene whose forces conserve the energy and whose energy changed by more than a tenth: the step is too long or the method unstable; another one is that of steps of a given length at whose ends the forces contradict the series, with the time and the particle: positions may be off by more than a thousandth of their extent |
 

@@ -51,7 +51,7 @@ Summary sample() {
 TEST(Summary, HasEveryKeyOfTheContractInItsOrder) {
   const Json json = Json::parse(to_json(sample()));
   EXPECT_THAT(keys(json), ElementsAre("outcome", "time", "position", "velocity", "energy", "momentum", "work",
-                                      "elements", "frequency", "wall_seconds", "version", "seed",
+                                      "elements", "frequency", "contact", "wall_seconds", "version", "seed",
                                       "instruction_set", "threads", "warnings"));
   EXPECT_THAT(keys(json["energy"]), ElementsAre("initial", "final", "max_relative_error"));
   EXPECT_THAT(keys(json["momentum"]), ElementsAre("initial", "final"));
@@ -96,6 +96,24 @@ TEST(Summary, SaysWhatACourantLimitStandsOn) {
   summary.frequency = {.bound = 1.0 / 3.0, .refreshed = 7};
   EXPECT_EQ(Json::parse(to_json(summary))["frequency"],
             Json::parse(R"({"bound": 0.3333333333333333, "refreshed": 7})"));
+}
+
+TEST(Summary, SaysWhatContactsDid) {
+  Summary summary = sample();
+  EXPECT_EQ(Json::parse(to_json(summary))["contact"], Json::object());
+  summary.contact = ContactRecord{.stencils_tested = 1,
+                                  .crossings_tested = 2,
+                                  .looks = 3,
+                                  .active_largest = 4,
+                                  .begun = 5,
+                                  .ended = 6,
+                                  .smallest_gap = {1.0 / 3.0, 0.5, {7, 8}}};
+  EXPECT_EQ(Json::parse(to_json(summary))["contact"],
+            Json::parse(R"({"stencils_tested": 1, "crossings_tested": 2, "looks": 3, "active_largest": 4,
+      "contacts": {"begun": 5, "ended": 6},
+      "smallest_gap": {"value": 0.3333333333333333, "time": 0.5, "particles": [7, 8]}})"));
+  summary.contact = ContactRecord{};
+  EXPECT_TRUE(Json::parse(to_json(summary))["contact"]["smallest_gap"]["value"].is_null());
 }
 
 TEST(Summary, SaysWhatWentWrong) {

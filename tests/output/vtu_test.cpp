@@ -77,6 +77,33 @@ TEST_F(Vtu, ShowsTheClocksOfTheParticlesWhereTheyAreKnown) {
   EXPECT_THAT(grid.arrays.at("degree"), ElementsAre(3, 6, 0));
 }
 
+TEST_F(Vtu, ShowsWhatContactsDoWhereThereAreAny) {
+  EXPECT_EQ(written(plane, frame).arrays.count("gap"), 0u);
+  frame.gap = {0.1, std::numeric_limits<double>::infinity(), 1.0 / 3.0};
+  frame.contact_force = Coordinates<double>{{1, 2}, {0, 0}, {-1, -1.0 / 3.0}};
+  const Grid grid = written(plane, frame);
+  EXPECT_THAT(grid.arrays.at("gap"), ElementsAre(0.1, -1, 1.0 / 3.0));
+  EXPECT_THAT(grid.arrays.at("contact_force"), ElementsAre(1, 2, 0, 0, 0, 0, -1, -1.0 / 3.0, 0));
+}
+
+TEST_F(Vtu, ShowsObstaclesBesideTheCells) {  // two particles and the three vertices of an obstacle
+  Shape shape;
+  shape.dimension = 3;
+  shape.particles = 5;
+  shape.obstacles = 3;
+  shape.surface = {{2, 3, 4}};
+  shape.walls = {{2, 3}};
+  frame.position = Coordinates<double>::Zero(5, 3);
+  frame.velocity = frame.position;
+  const Grid loose = written(shape, frame);
+  EXPECT_THAT(loose.arrays.at("types"), ElementsAre(5, 1, 1, 3));
+  EXPECT_THAT(loose.arrays.at("connectivity"), ElementsAre(2, 3, 4, 0, 1, 2, 3));
+  EXPECT_THAT(loose.arrays.at("offsets"), ElementsAre(3, 4, 5, 7));
+  EXPECT_THAT(loose.arrays.at("fixed"), ElementsAre(0, 0, 1, 1, 1));
+  shape.lines = {{0, 1}};
+  EXPECT_THAT(written(shape, frame).arrays.at("types"), ElementsAre(3, 5, 3));
+}
+
 TEST_F(Vtu, KeepsEveryBitAndPadsThePlaneToSpace) {
   const Grid grid = written(plane, frame);
   EXPECT_EQ(grid.points, 3);

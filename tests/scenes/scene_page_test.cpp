@@ -30,6 +30,7 @@ TEST(ScenePage, NamesEveryKeyOfTheSummaryAndEveryOutcome) {
   const std::string page = scene_page();
   Summary failed;
   failed.outcome = Outcome::non_finite;
+  failed.contact.emplace();
   const auto names = [&](const auto& self, const Json& object) -> void {
     for (const auto& [key, value] : object.items()) {
       EXPECT_THAT(page, HasSubstr("`" + key + "`"));

@@ -30,6 +30,11 @@ struct Frame {
   /// Of each particle, where the clocks of a run are recorded: the step of its last update, and the degree; else empty.
   std::vector<double> step{};  // [s]
   std::vector<int> degree{};
+
+  /// Of each particle, where there are contacts: its smallest gap, infinite where nothing is within the thickness, and the force
+  /// of its contacts; else empty.
+  std::vector<double> gap{};            // [m]
+  Coordinates<double> contact_force{};  // [N]
 };
 
 /// The triangles that belong to one tetrahedron only, turning left when seen from outside, in the order in

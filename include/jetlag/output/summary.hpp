@@ -11,6 +11,7 @@
 #include "jetlag/base/courant_frequency.hpp"
 #include "jetlag/base/outcome.hpp"
 #include "jetlag/base/work.hpp"
+#include "jetlag/contact/contact_record.hpp"
 #include "jetlag/model/energy.hpp"
 #include "jetlag/model/system.hpp"
 #include "jetlag/output/deformation.hpp"
@@ -30,6 +31,7 @@ struct Summary {
   Work work;
   std::vector<Deformation> elements;          // of solids
   std::optional<CourantFrequency> frequency;  // of a Courant limit, where one is in use
+  std::optional<ContactRecord> contact;       // of all contacts, where there are any
   double wall_seconds = 0;
   std::string version;
   std::uint64_t seed = 0;

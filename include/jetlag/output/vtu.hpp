@@ -12,8 +12,9 @@
 namespace jetlag {
 
 /// One frame as an UnstructuredGrid. Points are in space: missing components are 0. Cells are the tetrahedra;
-/// the lines where there are none; else the triangles of the surface; else a vertex for each particle. Point data:
-/// velocity [m/s] (3 components) and fixed (0 or 1), and step [s] and degree where the frame has them; field data: TimeValue [s].
+/// the lines where there are none; else the triangles of the surface; else a vertex for each particle; and the triangles and
+/// edges of obstacles. Point data: velocity [m/s] (3 components) and fixed (0 or 1), and where the frame has them step [s] and
+/// degree, gap [m] (-1 for none) and contact_force [N] (3 components); field data: TimeValue [s].
 ///
 /// Numbers are plain text in the shortest form that keeps every bit. Base64 would take 11 bytes a number
 /// instead of some 19, but text can be read, searched and compared by anybody and knows no byte order.
