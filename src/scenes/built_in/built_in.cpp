@@ -6,7 +6,8 @@ namespace jetlag {
 
 const std::vector<BuiltInScene>& built_in_scenes() {
   static const std::vector<BuiltInScene> scenes{body(),       ellipse(), two_body(),     cloth(),     chain(),
-                                                stiff_spot(), beam(),    spinning_bar(), inclusion(), flag()};
+                                                stiff_spot(), beam(),    spinning_bar(), inclusion(), flag(),
+                                                cradle(),     drape(),   pile()};
   return scenes;
 }
 

@@ -16,5 +16,8 @@ BuiltInScene beam();
 BuiltInScene spinning_bar();
 BuiltInScene inclusion();
 BuiltInScene flag();
+BuiltInScene cradle();
+BuiltInScene drape();
+BuiltInScene pile();
 
 }  // namespace jetlag
