@@ -45,7 +45,7 @@ class ContactRecords : public ::testing::TestWithParam<Turn> {};
 TEST_P(ContactRecords, KnowHowNearABounceCame) {
   const auto [v, part] = GetParam();
   const ContactRecord record = bounce(v, std::make_unique<JorbaZou>(), 2.2 / v);
-  EXPECT_NEAR(record.smallest_gap.value, 0.1 * part, 2e-3 * 0.1 * part);
+  EXPECT_NEAR(record.smallest_gap.value, 0.1 * part, 1e-5 * 0.1 * part);
   EXPECT_GE(record.smallest_gap.value, 0.1 * part * (1 - 1e-12));
   EXPECT_EQ(record.smallest_gap.particles, (std::vector{0, 1}));
   EXPECT_GT(record.smallest_gap.time, 0.9 / v);
