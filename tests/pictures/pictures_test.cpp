@@ -173,6 +173,25 @@ TEST_F(Pictures, OfAFewBodiesShowFadingOrbits) {
   EXPECT_GT(drawing.strokes.size(), 100);
 }
 
+TEST_F(Pictures, ShowObstaclesByTheirEdgesOnly) {
+  Ring ring(3, 6, false);
+  ring.shape.obstacles = 3;
+  const std::size_t without = film(ring.shape, ring.frames).strokes.size();
+  ring.shape.walls = {{3, 4}, {4, 5}};
+  const Drawing drawing = film(ring.shape, ring.frames);
+  EXPECT_EQ(drawing.polygons, 2 * 3) << "no dots of their vertices";
+  EXPECT_EQ(drawing.strokes.size(), without + 1);
+  ring.shape.surface = {{3, 4, 5}};  // a surface of obstacles alone is no body
+  EXPECT_EQ(film(ring.shape, ring.frames).polygons, 2 * 3);
+}
+
+TEST_F(Pictures, OfASolidShowObstaclesInOneColour) {
+  Tower tower;
+  const std::size_t all = film(tower.shape, tower.frames).fills.size();
+  tower.shape.obstacles = tower.shape.particles - 1;  // all but a few triangles
+  EXPECT_LT(film(tower.shape, tower.frames).fills.size(), all - 100);
+}
+
 TEST_F(Pictures, OfManyParticlesShowTheirSpeed) {
   const Ring ring(2, 100, false);
   const Drawing drawing = film(ring.shape, ring.frames);
