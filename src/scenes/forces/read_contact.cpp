@@ -165,9 +165,10 @@ void read_contact_barrier(const Value& force, ForcesRead& into) {
   const Particles& particles = into.particles;
   Features features = read_features(force, particles);
   ContactBarrier contact;
-  contact.thickness = force.at("thickness").number(positive);
+  constexpr double most = 1e150;  // whose square is a number
+  contact.thickness = force.at("thickness").number({0, most, false, true, "a number > 0, up to 1e150"});
   contact.stiffness = force.at("stiffness").number(positive);
-  contact.gap = force.at("gap", 0.0).number(non_negative);
+  contact.gap = force.at("gap", 0.0).number({0, most, true, true, "a number >= 0, up to 1e150"});
   contact.power = force.at("power", 7).number({1, 7, true, true, "a number from 1 to 7"});
   contact.with_itself = force.at("self", true).boolean();
   contact.rest = particles.rest;
