@@ -1,49 +1,35 @@
 // SPDX-License-Identifier: MIT
+// Which pairs of a surface push each other.
 #include "contact/barrier_along.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <map>
+#include <numeric>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "contact/barrier_laws.hpp"
 #include "jetlag/base/text.hpp"
-#include "jetlag/series/calculus/first_change.hpp"
-#include "jetlag/series/jet.hpp"
 
 namespace jetlag {
 
+using namespace barrier_switch;
+
 namespace {
 
-/// Part of the thickness by which a gap must be below it, or above, before the barrier is turned on, or off.
-constexpr double hysteresis = 1e-6;
-/// How far beyond its border a region still holds, in parts of the features.
-constexpr double band = 1e-8;
-/// Of |e1 x e2|^2 / (|E1|^2 |E2|^2), E at rest: below the first, edges are nearly parallel, and their barrier is times a factor that
-/// vanishes with the angle; below the second that is 2e-13, and they have none.
-constexpr double nearly_parallel_below = 1e-3, parallel_below = 1e-16;
-
-using MotionSeries = Jet<double, Dynamic>;
-
-/// A thing at a place, for closest() and region_of().
-std::array<Vector3<double>, 4> places_of(const Stencil& stencil, const Coordinates<double>& position) {
+/// The vertices of a stencil; on a line or in the plane the other components are 0.
+template <class At>
+std::array<Vector3<double>, 4> vertices_at(const Stencil& stencil, int dimension, const At& at) {
   std::array<Vector3<double>, 4> x;
   x.fill(Vector3<double>::Zero());
   for (int i = 0; i < vertices_of(stencil.kind); ++i)
-    for (int d = 0; d < position.cols(); ++d) x[i][d] = position(stencil.vertices[i], d);
+    for (int d = 0; d < dimension; ++d) x[i][d] = at(stencil.vertices[i])[d];
   return x;
 }
 
 Closest closest_of(const Stencil& stencil, const std::array<Vector3<double>, 4>& x) {
   return closest(stencil.kind, std::span(x).first(vertices_of(stencil.kind)));
-}
-
-template <class T>
-T squared_sine(const Stencil&, std::span<const Vector3<T>> x) {
-  const Vector3<T> n = detail::cross<T>(x[1] - x[0], x[3] - x[2]);
-  return dot(n, n);
 }
 
 }  // namespace
@@ -53,12 +39,14 @@ BarrierAlong::BarrierAlong(std::shared_ptr<const ContactBarrier> contact, const 
     : contact_(std::move(contact)),
       dimension_(model.dimension()),
       first_law_(first_law),
-      candidates_(contact_->surface, model, contact_->gap + contact_->thickness * (1 + 2 * hysteresis),
-                  contact_->with_itself) {}
+      candidates_(contact_->surface, model, contact_->gap + contact_->thickness * (1 + 4 * hysteresis),
+                  contact_->with_itself),
+      is_due_(model.fixed()) {}
 
 // ---- which elements there are --------------------------------------------------------------------------------
 
 bool BarrierAlong::begin(const State<double>& state, Model<double>& model) {
+  time_ = state.time;
   if (left_at_.rows() != state.position.rows() || left_at_ != state.position) start(state);
   return std::exchange(is_changed_, false) && make_elements(model);
 }
@@ -75,16 +63,18 @@ void BarrierAlong::start(const State<double>& state) {
                                static_cast<std::size_t>(x.size()),
                                static_cast<std::size_t>(x.cols())};
   candidates_.forget();
-  candidates_.cover(at_once, 0.0);
+  candidates_.cover(SeriesAhead(at_once, dimension_, 0.0), 0.0);
   pairs_.clear();
+  looks_ = 0;
   take_candidates();
   for (Pair& pair : pairs_) {
-    const double distance = closest_of(pair.stencil, places_of(pair.stencil, x)).distance;
+    const Places places = vertices_at(pair.stencil, dimension_, [&](int i) { return x.row(i); });
+    const double distance = closest_of(pair.stencil, places).distance;
     if (!(distance > contact_->gap) && std::isfinite(distance))
-      throw std::invalid_argument("contact: " + names(pair.stencil) + " are " + shown(distance) +
+      throw std::invalid_argument("contact: " + names_of(pair.stencil) + " are " + shown(distance) +
                                   " m apart, no more than the gap " + shown(contact_->gap) +
                                   " m: move them apart or lower the gap");
-    update(pair, x, gap_of(distance) < contact_->thickness ? Change::on : Change::off);
+    update(pair, places, gap_of(distance) < contact_->thickness ? Change::on : Change::off);
   }
   candidates_.forget();
   left_at_ = x;
@@ -104,31 +94,91 @@ void BarrierAlong::take_candidates() {
       pairs.push_back(*known);
     else
       pairs.push_back({.stencil = stencil});
+    pairs.back().safe_until = Pair().safe_until;
   }
   pairs_ = std::move(pairs);
+  first_of_.clear();
 }
 
-/// What a pair is at a position to which a step has led: on its way a change may have been found. Rounding does not decide
+/// Of particles with clocks of their own.
+void BarrierAlong::list_pairs_of_particles() {
+  if (!first_of_.empty()) return;
+  first_of_.assign(left_at_.rows() + 1, 0);
+  for (const Pair& pair : pairs_)
+    for (const int i : pair.stencil.particles()) ++first_of_[i + 1];
+  std::partial_sum(first_of_.begin(), first_of_.end(), first_of_.begin());
+  pairs_of_.resize(first_of_.back());
+  std::vector<int> next(first_of_.begin(), first_of_.end() - 1);
+  for (std::size_t p = 0; p < pairs_.size(); ++p)
+    for (const int i : pairs_[p].stencil.particles()) pairs_of_[next[i]++] = static_cast<int>(p);
+}
+
+/// What a pair is at a place to which a step has led: on its way a change may have been found. Rounding does not decide
 /// again what it was: what is beyond its border by the hysteresis, was so.
-void BarrierAlong::update(Pair& pair, const Coordinates<double>& position, Change change) const {
-  const auto x = places_of(pair.stencil, position);
+void BarrierAlong::update(Pair& pair, const Places& x, Change change) const {
+  constexpr double here = arrived * hysteresis;
   const std::span<const Vector3<double>> all(x);
   const Closest now = closest_of(pair.stencil, x);
   const bool was_on = pair.is_on, tends_on = was_on || change == Change::on;
-  pair.is_on = change != Change::off &&
-               gap_of(now.distance) < contact_->thickness * (tends_on ? 1 + hysteresis : 1 - hysteresis);
+  pair.is_on =
+      change != Change::off && gap_of(now.distance) < contact_->thickness * (tends_on ? 1 + here : 1 - here);
   if (!pair.is_on) return;
   const bool is_new = !was_on || change == Change::region;
-  if (is_new || !holds_at(pair.stencil.kind, pair.support, all, band))
-    pair.support = support_at(pair.stencil.kind, all, now, band);
+  if (is_new || !holds_at(pair.stencil.kind, pair.support, all, arrived * band))
+    pair.support = support_at(pair.stencil.kind, all, now, arrived * band);
   if (pair.stencil.kind != StencilKind::edge_edge) return;
-  const double sine = squared_sine(pair.stencil, all), most = parallel_below(pair.stencil);
+  const double sine = squared_sine(all), most = parallel_below(pair.stencil);
   const auto is_below = [&](double part, bool was_below) {
-    return sine < part * most * (is_new ? 1.0 : was_below ? 1 + hysteresis : 1 - hysteresis);
+    return sine < part * most * (is_new ? 1.0 : was_below ? 1 + here : 1 - here);
   };
-  pair.lie = is_below(jetlag::parallel_below, pair.lie == Lie::parallel) ? Lie::parallel
-             : is_below(nearly_parallel_below, pair.lie != Lie::any)     ? Lie::nearly_parallel
-                                                                         : Lie::any;
+  pair.lie = is_below(barrier_switch::parallel_below, pair.lie == Lie::parallel) ? Lie::parallel
+             : is_below(nearly_parallel_below, pair.lie != Lie::any)             ? Lie::nearly_parallel
+                                                                                 : Lie::any;
+}
+
+/// Whether an update would change how it acts.
+bool BarrierAlong::acts_otherwise(Pair pair, const Places& x) const {
+  const auto before = std::tuple(pair.is_on, pair.support, pair.lie);
+  update(pair, x, Change::none);
+  return before != std::tuple(pair.is_on, pair.support, pair.lie);
+}
+
+/// Whether it acts otherwise than before.
+bool BarrierAlong::update_noting(Pair& pair, const Places& x, Change change) {
+  const auto before = std::tuple(pair.is_on, pair.support, pair.lie);
+  update(pair, x, change);
+  const bool changed = before != std::tuple(pair.is_on, pair.support, pair.lie);
+  is_changed_ |= changed;
+  return changed;
+}
+
+void BarrierAlong::take(double h, const Coordinates<double>& position) {
+  const double reached = h * (1 + 1e-9) + rounding_of_time(time_);
+  for (Pair& pair : pairs_)
+    if (pair.is_near)
+      update_noting(pair, vertices_at(pair.stencil, dimension_, [&](int i) { return position.row(i); }),
+                    pair.change != Change::none && pair.time <= reached ? pair.change : Change::none);
+  left_at_ = position;
+  if (contact_->record) record_step(h, position);
+}
+
+/// Pairs that have been looked at closely and all of whose particles are due: the place tells what they are, and whoever has come
+/// near a switch to which it was to go is there.
+bool BarrierAlong::change(const MotionAhead& motion, std::span<const int> due, Model<double>& model) {
+  if (first_of_.empty()) return false;  // before the first series
+  ++look_;
+  for (const int i : due) is_due_[i] = true;
+  for (const int i : due)
+    for (int p = first_of_[i]; p < first_of_[i + 1]; ++p) {
+      Pair& pair = pairs_[pairs_of_[p]];
+      if (!pair.is_near || std::exchange(pair.look, look_) == look_) continue;
+      if (!std::ranges::all_of(pair.stencil.particles(), [&](int m) { return is_due_[m]; })) continue;
+      update_noting(pair, vertices_at(pair.stencil, dimension_, [&](int m) { return motion.path(m).c_0; }),
+                    pair.change == Change::on ? Change::on : Change::none);
+    }
+  for (const int i : due) is_due_[i] = false;  // fixed ones always are, and never among these
+  if (is_changed_ && contact_->record) record_changes();
+  return std::exchange(is_changed_, false) && make_elements(model);
 }
 
 double BarrierAlong::parallel_below(const Stencil& stencil) const {
@@ -165,164 +215,5 @@ bool BarrierAlong::make_elements(Model<double>& model) const {
   }
   return changed;
 }
-
-// ---- how far a step may go -----------------------------------------------------------------------------------
-
-double BarrierAlong::up_to_change(const PositionSeries& position, double h, Report& report) {
-  h = candidates_.cover(position, h);
-  if (!candidates_.are_finite()) return h;  // a matter of the method
-  take_candidates();
-  for (Pair& pair : pairs_) {
-    pair.change = Change::none;
-    h = up_to_change(pair, position, h);
-    if (h > 0) continue;
-    report = {Outcome::step_underflow,
-              "the gap between " + names(pair.stencil) + " at t = " + shown(position.time) +
-                  " is below the rounding of their positions; take a stiffer or thicker contact",
-              pair.stencil.vertices[0]};
-    return 0.0;
-  }
-  if (contact_->record) foresee(position, h);
-  return h;
-}
-
-double BarrierAlong::up_to_change(Pair& pair, const PositionSeries& position, double h) {
-  const double gap = gap_of(distance_at_start(pair.stencil, position));
-  const double reach = contact_->gap + (pair.is_on ? gap / 2 : contact_->thickness * (1 - hysteresis));
-  const auto time = first_approach(pair, position, h, reach);
-  pair.is_near = pair.is_on || time.has_value();
-  if (time && pair.is_on) {
-    if (!(*time > 0)) return 0.0;
-    h = std::min(h, *time);
-  } else if (time) {
-    // Found at once where rounding hides on which side of the switch it is: it turns on just after.
-    constexpr double eps = std::numeric_limits<double>::epsilon();
-    pair.change = Change::on;
-    pair.time = std::max({*time, 8 * eps * std::abs(position.time), h * 0x1p-40});
-    h = std::min(h, pair.time);
-  }
-  return pair.is_on ? up_to_other_region(pair, position, h) : h;
-}
-
-double BarrierAlong::distance_at_start(const Stencil& stencil, const PositionSeries& position) const {
-  std::array<Vector3<double>, 4> x;
-  x.fill(Vector3<double>::Zero());
-  for (int i = 0; i < vertices_of(stencil.kind); ++i)
-    for (int d = 0; d < dimension_; ++d) x[i][d] = position.coefficient(0, stencil.vertices[i])[d];
-  return closest_of(stencil, x).distance;
-}
-
-/// The first time [s] within a step at which a pair is nearer than that [m].
-std::optional<double> BarrierAlong::first_approach(const Pair& pair, const PositionSeries& position, double h,
-                                                   double reach) {
-  if (distance_at_start(pair.stencil, position) - stray(pair, position, h) > reach) return {};
-  std::array<PathView, 4> paths;
-  const auto particles = pair.stencil.particles();
-  for (std::size_t i = 0; i < particles.size(); ++i)
-    paths[i] = {position.coefficient(0, particles[i]),
-                static_cast<std::ptrdiff_t>(position.next_order),
-                position.degree,
-                position.unit,
-                dimension_,
-                position.weights};
-  ++searched_;
-  return approach_.first(pair.stencil.kind, std::span(paths).first(particles.size()), h, reach);
-}
-
-/// How much nearer to each other the two sides of a pair may come within a step [m].
-double BarrierAlong::stray(const Pair& pair, const PositionSeries& position, double h) const {
-  const auto particles = pair.stencil.particles();
-  const double* v_0 = position.coefficient(1, particles.back());
-  double of_side[2] = {};
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    const double* v = position.coefficient(1, particles[i]);
-    double square = 0;
-    for (int d = 0; d < dimension_; ++d) square += (v[d] - v_0[d]) * (v[d] - v_0[d]);
-    double& side = of_side[static_cast<int>(i) < first_side(pair.stencil.kind) ? 0 : 1];
-    side = std::max(side, std::sqrt(square) * h / position.unit + candidates_.curve(particles[i]));
-  }
-  return of_side[0] + of_side[1];
-}
-
-/// A pair that acts: the switch where it turns off, the borders of its region, and of how its edges lie.
-double BarrierAlong::up_to_other_region(Pair& pair, const PositionSeries& position, double h) const {
-  const Stencil& stencil = pair.stencil;
-  std::array<Vector3<MotionSeries>, 4> x;
-  std::vector<double> c(position.degree + 1);
-  for (int i = 0; i < vertices_of(stencil.kind); ++i)
-    for (int d = 0; d < 3; ++d) {
-      for (int n = 0; n <= position.degree; ++n)
-        c[n] = d < dimension_ ? position.coefficient(n, stencil.vertices[i])[d] *
-                                    (position.weights ? position.weights[n] : 1.0)
-                              : 0.0;
-      x[i][d] = MotionSeries::from(c);
-    }
-  const std::span<const Vector3<MotionSeries>> all(x.data(),
-                                                   static_cast<std::size_t>(vertices_of(stencil.kind)));
-  double most = h / position.unit;
-  const auto stays = [&](const MotionSeries& condition, Change change) {
-    if (!(condition[0] >= 0)) return;  // left behind by rounding: the end of the step tells
-    std::optional<double> first;
-    find_first_change<double>(
-        std::span<const double>(condition.coefficients().data(), condition.degree() + 1), 1, most, first);
-    if (!first) return;
-    pair.change = change;
-    pair.time = *first * position.unit;
-  };
-  const double off = contact_->gap + contact_->thickness * (1 + hysteresis);
-  const auto region = region_of<MotionSeries>(stencil.kind, pair.support, all, band);
-  stays(MotionSeries(off * off) - region.square, Change::off);
-  for (const MotionSeries& condition : region.conditions) stays(condition, Change::region);
-  if (stencil.kind == StencilKind::edge_edge) {
-    const MotionSeries sine = squared_sine(stencil, all);
-    const double scale = parallel_below(stencil);
-    if (pair.lie == Lie::any)
-      stays(sine - MotionSeries(nearly_parallel_below * scale * (1 - hysteresis)), Change::region);
-    if (pair.lie == Lie::nearly_parallel) {
-      stays(MotionSeries(nearly_parallel_below * scale * (1 + hysteresis)) - sine, Change::region);
-      stays(sine - MotionSeries(jetlag::parallel_below * scale * (1 - hysteresis)), Change::region);
-    }
-    if (pair.lie == Lie::parallel)
-      stays(MotionSeries(jetlag::parallel_below * scale * (1 + hysteresis)) - sine, Change::region);
-  }
-  return std::min(h, most * position.unit);
-}
-
-bool BarrierAlong::is_safe(const PositionSeries& position, double h, bool is_given, Report& report) {
-  if (candidates_.cover(position, h, is_given) < h) return false;
-  if (!candidates_.are_finite()) return true;
-  take_candidates();
-  for (Pair& pair : pairs_) {
-    const double gap = gap_of(distance_at_start(pair.stencil, position));
-    // What is drawn at random may differ from what was looked at, but not by half of what there is.
-    const double reach = contact_->gap + (is_given     ? std::min(gap, contact_->thickness) * 0x1p-20
-                                          : pair.is_on ? gap / 2
-                                                       : contact_->thickness / 2);
-    pair.is_near = true;
-    if (!first_approach(pair, position, h, reach)) continue;
-    if (is_given)
-      report = {Outcome::contradicted,
-                names(pair.stencil) + " pass through each other in the step of " + shown(h) + " s from t = " +
-                    shown(position.time) + "; take shorter steps, or a control that chooses them",
-                pair.stencil.vertices[0]};
-    return false;
-  }
-  if (contact_->record) foresee(position, h);
-  return true;
-}
-
-void BarrierAlong::take(double h, const Coordinates<double>& position) {
-  for (Pair& pair : pairs_) {
-    if (!pair.is_near) continue;
-    const auto before = std::tuple(pair.is_on, pair.support, pair.lie);
-    update(pair, position,
-           pair.change != Change::none && pair.time <= h * (1 + 1e-9) ? pair.change : Change::none);
-    is_changed_ |= before != std::tuple(pair.is_on, pair.support, pair.lie);
-  }
-  left_at_ = position;
-  if (contact_->record) record_step(h, position);
-}
-
-std::string BarrierAlong::names(const Stencil& stencil) const { return names_of(stencil); }
 
 }  // namespace jetlag

@@ -29,6 +29,14 @@ Box hull(const Box& a, const Box& b) {
   return both;
 }
 
+Eigen::Vector3d velocity_of(const PathView& path) {
+  Eigen::Vector3d v = Eigen::Vector3d::Zero();
+  if (path.degree < 1) return v;
+  const double scale = (path.weights ? path.weights[1] : 1.0) / path.unit;
+  for (int d = 0; d < path.dimension; ++d) v[d] = path.c_0[path.stride + d] * scale;
+  return v;
+}
+
 template <std::size_t N>
 bool contains(const std::array<int, N>& members, int i) {
   return std::ranges::find(members, i) != members.end();
@@ -56,79 +64,119 @@ Candidates::Candidates(Surface surface, const Model<double>& model, double reach
   if (!with_itself) body_ = bodies_of(surface_, model.particles());
 }
 
-double Candidates::cover(const PositionSeries& position, double h, bool whole) {
-  are_finite_ = find_curves(position, h);
+double Candidates::cover(const MotionAhead& motion, double h, bool whole) {
+  const auto& vertices = surface_.vertices();
+  are_finite_ = true;
+  for (std::size_t p = 0; p < vertices.size(); ++p) find_curve(p, motion.path(vertices[p]), h);
   if (!are_finite_) return h;
-  if (!is_known_ || !holds(position, h)) look(position, h, whole);
-  return std::min(h, until_ - position.time);
+  bool holds = is_known_ && motion.time() + h <= until_;
+  for (std::size_t p = 0; holds && p < vertices.size(); ++p)
+    holds = stays(p, motion.path(vertices[p]), motion.time(), h);
+  if (!holds) look(motion, whole);
+  return std::min(h, until_ - motion.time());
 }
 
-/// sum_{n>=2} |x_n| (h/unit)^n. Returns whether they are finite.
-bool Candidates::find_curves(const PositionSeries& position, double h) {
-  const double s = h / position.unit;
-  double all = 0;
-  for (std::size_t p = 0; p < tracks_.size(); ++p) {
-    double sum = 0;
-    for (int n = position.degree; n >= 2; --n) {
-      const double* c = position.coefficient(n, surface_.vertices()[p]);
-      double size = 0;
-      for (int d = 0; d < dimension_; ++d) size += std::abs(c[d]);
-      sum = sum * s + size * (position.weights ? position.weights[n] : 1.0);
-    }
-    curve_[p] = sum * s * s;
-    all += curve_[p];
-    for (int n = std::min(position.degree, 1); n >= 0; --n)
-      for (int d = 0; d < dimension_; ++d)
-        all += std::abs(position.coefficient(n, surface_.vertices()[p])[d]) * (n > 0 ? s : 1.0);
+bool Candidates::cover(const MotionAhead& motion, std::span<const int> updated) {
+  are_finite_ = true;
+  bool holds = is_known_;
+  for (const int i : updated) {
+    const int p = place_[i];
+    if (p < 0) continue;
+    const double h = motion.left(i);
+    find_curve(p, motion.path(i), h);
+    holds = holds && motion.time() + h <= until_ && stays(p, motion.path(i), motion.time(), h);
   }
-  return std::isfinite(all);
+  if (holds || !are_finite_) return false;
+  for (std::size_t p = 0; p < tracks_.size(); ++p)
+    if (const int i = surface_.vertices()[p]; !fixed_[i]) find_curve(p, motion.path(i), motion.left(i));
+  if (are_finite_) look(motion, false);
+  return are_finite_;
 }
 
-/// Whether all vertices stay in their rooms in a step.
-bool Candidates::holds(const PositionSeries& position, double h) const {
-  if (!(position.time + h <= until_)) return false;
-  const double since = position.time - begin_;
-  for (std::size_t p = 0; p < tracks_.size(); ++p) {
-    const Track& track = tracks_[p];
-    const int i = surface_.vertices()[p];
-    const double *x = position.coefficient(0, i), *v = position.coefficient(1, i);
-    double off = 0, change = 0;
-    for (int d = 0; d < dimension_; ++d) {
-      const double dx = x[d] - (track.x[d] + track.v[d] * since), dv = v[d] / position.unit - track.v[d];
-      off += dx * dx;
-      change += dv * dv;
-    }
-    if (!(std::sqrt(off) + std::sqrt(change) * h + curve_[p] <= track.room)) return false;
+/// sum_{n>=2} w_n |x_n| (h/unit)^n.
+void Candidates::find_curve(std::size_t p, const PathView& path, double h) {
+  const double s = h / path.unit;
+  double sum = 0, all = 0;
+  for (int n = path.degree; n >= 0; --n) {
+    const double* c = path.c_0 + n * path.stride;
+    double size = 0;
+    for (int d = 0; d < path.dimension; ++d) size += std::abs(c[d]);
+    if (n >= 2) sum = sum * s + size * (path.weights ? path.weights[n] : 1.0);
+    if (n < 2) all += n == 1 ? size * s : size;
   }
-  return true;
+  curve_[p] = sum * s * s;
+  are_finite_ = are_finite_ && std::isfinite(all + curve_[p]);
 }
 
-/// New tracks and rooms. They are to last for eight such steps; where that makes too many candidates, for less, and the step
-/// becomes shorter if it must.
-void Candidates::look(const PositionSeries& position, double h, bool whole) {
+/// Whether a vertex stays in its room for h from now on.
+bool Candidates::stays(std::size_t p, const PathView& path, double now, double h) const {
+  const Track& track = tracks_[p];
+  const double since = now - begin_;
+  const Eigen::Vector3d velocity = velocity_of(path);
+  double off = 0, change = 0;
+  for (int d = 0; d < path.dimension; ++d) {
+    const double dx = path.c_0[d] - (track.x[d] + track.v[d] * since), dv = velocity[d] - track.v[d];
+    off += dx * dx;
+    change += dv * dv;
+  }
+  return std::sqrt(off) + std::sqrt(change) * h + curve_[p] <= track.room;
+}
+
+/// New tracks and rooms. They are to last for eight steps; where that makes too many candidates, for less, and steps become
+/// shorter if they must.
+void Candidates::look(const MotionAhead& motion, bool whole) {
   ++looks_;
   const auto& vertices = surface_.vertices();
   std::fill_n(drift_, 3, 0.0);
+  double h = 0;
   for (std::size_t p = 0; p < tracks_.size(); ++p) {
     Track& track = tracks_[p];
-    for (int d = 0; d < dimension_; ++d) {
-      track.x[d] = position.coefficient(0, vertices[p])[d];
-      track.v[d] = position.coefficient(1, vertices[p])[d] / position.unit;
+    const PathView path = motion.path(vertices[p]);
+    const Eigen::Vector3d velocity = velocity_of(path);
+    for (int d = 0; d < 3; ++d) {
+      track.x[d] = d < dimension_ ? path.c_0[d] : 0.0;
+      track.v[d] = velocity[d];
       drift_[d] += track.v[d] / static_cast<double>(tracks_.size());
     }
     track.room = room_ + 2 * curve_[p];
+    if (!fixed_[vertices[p]]) h = std::max(h, motion.left(vertices[p]));
   }
-  begin_ = position.time;
+  begin_ = motion.time();
   constexpr auto any = std::numeric_limits<std::size_t>::max();
   const std::size_t most = 64 + 24 * (surface_.edges().size() + surface_.vertices().size());
   double horizon = 8 * h;
   for (int attempt = 0; !find(horizon, attempt < 20 && !(whole && horizon <= h) ? most : any); ++attempt) {
     horizon = whole ? std::max(horizon / 4, h) : horizon / 4;
-    const double part = h > horizon ? horizon / h : 1.0;
-    for (std::size_t p = 0; p < tracks_.size(); ++p) tracks_[p].room = room_ + 2 * curve_[p] * part * part;
+    for (std::size_t p = 0; p < tracks_.size(); ++p) {
+      const double part = std::min(1.0, horizon / motion.left(vertices[p]));
+      tracks_[p].room = room_ + 2 * curve_[p] * part * part;
+    }
   }
   until_ = begin_ + horizon;
   is_known_ = true;
+}
+
+/// Two vertices of one side move apart by no more than the fastest of them, and leave their tracks by no more than their rooms.
+double Candidates::apart_until(const Stencil& stencil, double now, double reach) const {
+  const auto members = stencil.particles();
+  const int side = first_side(stencil.kind);
+  std::array<Eigen::Vector3d, 4> x;
+  double speed[2] = {}, room[2] = {};
+  const Track& last = tracks_[place_[members.back()]];
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const Track& track = tracks_[place_[members[i]]];
+    double square = 0;
+    for (int d = 0; d < 3; ++d) {
+      x[i][d] = track.x[d] + track.v[d] * (now - begin_);
+      square += (track.v[d] - last.v[d]) * (track.v[d] - last.v[d]);
+    }
+    const int of = static_cast<int>(i) < side ? 0 : 1;
+    speed[of] = std::max(speed[of], std::sqrt(square));
+    room[of] = std::max(room[of], track.room);
+  }
+  const double left =
+      closest(stencil.kind, std::span(x).first(members.size())).distance - room[0] - room[1] - reach;
+  return left > 0 ? now + left / (speed[0] + speed[1]) : -std::numeric_limits<double>::infinity();
 }
 
 /// The stencils that may come within reach up to that time; false where there are more than `most`.

@@ -23,9 +23,13 @@ std::vector<Stencil> near_stencils(const System<double>& system, const ContactBa
   Candidates candidates(contact.surface, without_forces, reach, with_itself);
   AlignedVector<double> at_rest(position.data(), position.data() + position.size());
   at_rest.resize(2 * at_rest.size(), 0.0);
-  candidates.cover({0.0, 1.0, at_rest.data(), 1, static_cast<std::size_t>(position.size()),
-                    static_cast<std::size_t>(position.cols())},
-                   0.0);
+  const PositionSeries series{0.0,
+                              1.0,
+                              at_rest.data(),
+                              1,
+                              static_cast<std::size_t>(position.size()),
+                              static_cast<std::size_t>(position.cols())};
+  candidates.cover(SeriesAhead(series, system.dimension(), 0.0), 0.0);
   return candidates.list();
 }
 

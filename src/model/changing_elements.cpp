@@ -34,4 +34,20 @@ void ModelAlong::take(double h, const Coordinates<double>& position) {
   for (const auto& part : parts_) part->take(h, position);
 }
 
+bool ModelAlong::follow_clocks() const {
+  return std::ranges::all_of(parts_, [](const auto& part) { return part->follows_clocks(); });
+}
+
+bool ModelAlong::change(const MotionAhead& motion, std::span<const int> due) {
+  bool changed = false;
+  for (const auto& part : parts_) changed |= part->change(motion, due, model_);
+  return changed;
+}
+
+bool ModelAlong::find_changes(const MotionAhead& motion, std::span<const int> updated,
+                              std::vector<ShorterStep>& shorter, Report& report) {
+  return std::ranges::all_of(
+      parts_, [&](const auto& part) { return part->find_changes(motion, updated, shorter, report); });
+}
+
 }  // namespace jetlag

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // "integrator", "control" and "schedule": the record of the method says what may stand there, and makes it.
+#include <functional>
 #include <limits>
 
 #include "jetlag/scenes/error.hpp"
@@ -11,7 +12,7 @@ namespace jetlag {
 
 namespace {
 
-std::vector<std::string> names_where(bool (*holds)(const MethodRecord&)) {
+std::vector<std::string> names_where(const std::function<bool(const MethodRecord&)>& holds) {
   std::vector<std::string> names;
   for (const MethodRecord& record : method_records())
     if (holds(record)) names.push_back(record.name);
@@ -68,16 +69,18 @@ int read_threads(const Value& schedule, const MethodRecord& record) {
 /// Refuses a method for which elements that come and go would be always there, or never.
 void require_follows_contacts(const Value& integrator, const Value& schedule, const MethodRecord& record) {
   if (record.follows_contacts) return;
-  std::string others;
-  for (const std::string& name :
-       names_where([](const MethodRecord& one) { return of_integrator(one) && one.follows_contacts; }))
-    others += (others.empty() ? "" : " or ") + name;
-  for (const std::string& name :
-       names_where([](const MethodRecord& one) { return !of_integrator(one) && one.follows_contacts; }))
-    others += ", or with the schedule " + name;
+  const auto listed = [](bool integrators) {
+    std::string text;
+    for (const std::string& name : names_where([&](const MethodRecord& one) {
+           return of_integrator(one) == integrators && one.follows_contacts;
+         }))
+      text += (text.empty() ? "" : " or ") + name;
+    return text;
+  };
   (of_integrator(record) ? integrator : schedule)
       .at("type")
-      .refuse(others + " in lockstep beside a force contact_barrier, whose elements come and go" +
+      .refuse(listed(true) + " with the schedule lockstep or " + listed(false) +
+              " beside a force contact_barrier, whose elements come and go" +
               (record.name == "avi" ? "; with avi take contact_layers" : ""));
 }
 

@@ -47,6 +47,7 @@ bool Asynchronous::update(Report& report) {
   due_.clear();
   for (; queue_.time() == now; queue_.set(due_.back(), EventQueue::never)) due_.push_back(queue_.clock());
   const bool all = due_.size() == motion_->moving().size();
+  if (motion_->change_elements(now, due_)) group_->move_to(motion_->model());
   expected_positions(now);
   if (!all) group_->choose(due_, motion_->places());
   if (!(all ? motion_->update_all(now, report) : motion_->update(*group_, now, report))) return false;
@@ -119,12 +120,16 @@ bool Asynchronous::choose_steps(Ticks::Count now, Report& report) {
     report = sliding(now, motion_->sliding());
     return false;
   }
+  if (motion_->elements().outcome != Outcome::success) {
+    report = motion_->elements();
+    return false;
+  }
   for (const Kinks::Step& step : shortened_) {
     const int i = step.particle;
     const Ticks::Count end = now + std::max<Ticks::Count>(ticks.in(step.h), 1) - motion_->begin_of(i);
     if (end >= step_[i]) continue;
     step_[i] = end;
-    if (motion_->begin_of(i) == now) continue;
+    if (queue_.time_of(i) == EventQueue::never) continue;  // due: its clock is set below
     queue_.set(i, motion_->begin_of(i) + end);
     motion_->count_wake_up();
   }

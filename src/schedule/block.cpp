@@ -76,24 +76,28 @@ int BlockSteps::lowest_from(int level) const {
   return level;
 }
 
+/// All particles from a level on, ascending.
+const std::vector<int>& BlockSteps::due_from(int level) {
+  if (groups_[level] && groups_[level]->is_current) return groups_[level]->expansion().active();
+  const auto& moving = motion_->moving();
+  std::size_t count = 0;
+  for (int l = level; l <= Ticks::finest; ++l) count += of_level_[l].size();
+  chosen_.clear();
+  if (count > moving.size() / 32) {
+    for (int i : moving)
+      if (level_[i] >= level) chosen_.push_back(i);
+  } else {
+    for (int l = level; l <= Ticks::finest; ++l)
+      chosen_.insert(chosen_.end(), of_level_[l].begin(), of_level_[l].end());
+    std::ranges::sort(chosen_);
+  }
+  return chosen_;
+}
+
 BlockSteps::Group& BlockSteps::group_from(int level) {
   auto& group = groups_[level];
   if (!group) group = std::make_unique<Group>();
-  if (!group->is_current) {
-    const auto& moving = motion_->moving();
-    std::size_t count = 0;
-    for (int l = level; l <= Ticks::finest; ++l) count += of_level_[l].size();
-    chosen_.clear();
-    if (count > moving.size() / 32) {
-      for (int i : moving)
-        if (level_[i] >= level) chosen_.push_back(i);
-    } else {
-      for (int l = level; l <= Ticks::finest; ++l)
-        chosen_.insert(chosen_.end(), of_level_[l].begin(), of_level_[l].end());
-      std::ranges::sort(chosen_);
-    }
-    group->choose(chosen_, *motion_);
-  }
+  if (!group->is_current) group->choose(due_from(level), *motion_);
   return *group;
 }
 
@@ -101,6 +105,8 @@ bool BlockSteps::update(Report& report) {
   const Ticks::Count now = now_ = next_;
   const int level = lowest_from(Ticks::coarsest(now));
   const bool all = level == lowest_from(0);
+  if (motion_->change_elements(now, all ? motion_->moving() : due_from(level)))
+    for (auto& former : groups_) former.reset();
   Group* group = all ? nullptr : &group_from(level);
   motion_->remember(all ? std::span<const int>() : group->expansion().active());
   if (!(all ? motion_->update_all(now, report) : motion_->update(group->expansion(), now, report)))
@@ -134,9 +140,18 @@ bool BlockSteps::choose_levels(const std::vector<int>& updated, std::int64_t now
     report = underflow(now, stuck);
     return false;
   }
-  motion_->up_to_kinks(now, updated, [&](int i) { return Ticks::step(level_[i]); }, shortened_);
+  // Who has been woken is due at the next multiple of its step.
+  const auto step_of = [&](int i) {
+    const Ticks::Count step = Ticks::step(level_[i]);
+    return (now / step + 1) * step - motion_->begin_of(i);
+  };
+  motion_->up_to_kinks(now, updated, step_of, shortened_);
   if (motion_->sliding() >= 0) {
     report = sliding(now, motion_->sliding());
+    return false;
+  }
+  if (motion_->elements().outcome != Outcome::success) {
+    report = motion_->elements();
     return false;
   }
   for (const Kinks::Step& step : shortened_) {

@@ -30,7 +30,7 @@ bool is_finite(const State<double>& state) {
 
 ParticleClocks::ParticleClocks(const System<double>& system, TruncationLaw law, const ClockOptions& options)
     : EventDriven("take Lockstep", "take longer steps"),
-      motion_(std::make_unique<LocalMotion>(system, std::move(law), options)) {}
+      motion_(std::make_unique<LocalMotion>(ModelAlong(system), std::move(law), options)) {}
 ParticleClocks::~ParticleClocks() = default;
 
 const Work& ParticleClocks::work() const { return motion_->work(); }

@@ -39,6 +39,7 @@ struct Moving {
             static_cast<std::size_t>(particles) * dimension,
             static_cast<std::size_t>(dimension)};
   }
+  SeriesAhead ahead(double h) const { return {series(), dimension, h}; }
   Eigen::Vector3d at(int particle, double s) const {
     Eigen::Vector3d x = Eigen::Vector3d::Zero();
     for (int n = degree; n >= 0; --n)
@@ -109,7 +110,8 @@ TEST_P(CandidatesIn, AreAllThatComeWithinReach) {
       Candidates candidates(surface, System<double>(dimension, std::vector<double>(30, 1.0)), reach);
       Uniform draw(seed);
       for (int step = 0; step < 20; ++step) {
-        const double h = candidates.cover(moving.series(), draw(0.001, 0.05));
+        double h = draw(0.001, 0.05);
+        h = candidates.cover(moving.ahead(h), h);
         ASSERT_GT(h, 0);
         for (const double part : {0.0, 0.3, 0.7, 1.0})
           for (const Stencil& stencil : all) {
@@ -135,12 +137,12 @@ TEST(Candidates, AreLookedForAnewWhenAVertexHasLeftItsRoomNotBefore) {
       for (int d = 0; d < 3; ++d) moving.c[static_cast<std::size_t>(n) * 90 + i * 3 + d] = 0;
   Candidates candidates(surface, System<double>(3, std::vector<double>(30, 1.0)), reach);
   for (int step = 0; step < 8; ++step) {
-    EXPECT_EQ(candidates.cover(moving.series(), 1e-3), 1e-3);
+    EXPECT_EQ(candidates.cover(moving.ahead(1e-3), 1e-3), 1e-3);
     moving.advance(1e-3);
   }
   EXPECT_EQ(candidates.looks(), 1u);
   moving.c[1 * 90 + 5] += 1000;  // one turns aside
-  candidates.cover(moving.series(), 1e-3);
+  candidates.cover(moving.ahead(1e-3), 1e-3);
   EXPECT_EQ(candidates.looks(), 2u);
 }
 
@@ -151,7 +153,7 @@ TEST(Candidates, LeaveOutFixedParticlesAloneAndWhereAskedABodyWithItself) {
   Moving moving(3, 8, 0.01, 0.0, 1);  // all within reach of all
   const auto count = [&](bool with_itself) {
     Candidates candidates(surface, system, reach, with_itself);
-    candidates.cover(moving.series(), 1.0);
+    candidates.cover(moving.ahead(1.0), 1.0);
     return candidates.list().size();
   };
   // Between the bodies 2 x 4 x 2 vertices and faces, 5 x 5 edges; in the one that moves 2 and 2.

@@ -20,26 +20,14 @@
 // Cost: mostly one or two directions of (N+1)^2 sums each; a split takes 6 (N+1)^2. On a step through which sides turn against
 // each other at a distance d just above eta, some 1 / sqrt(1 - eta/d) pieces are looked at; at a touch some hundred.
 
-#include <Eigen/Core>
-#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "jetlag/contact/closest.hpp"
+#include "jetlag/model/path_view.hpp"
 
 namespace jetlag {
-
-/// Where a vertex goes, a view: x(s) = sum_{k<=degree} w_k c_k (s / unit)^k [m], s [s] from the beginning of the step. c_k has
-/// its components beside each other, `stride` numbers after those of c_{k-1}; w_k are weights of a series that was stopped at random.
-struct PathView {
-  const double* c_0;
-  std::ptrdiff_t stride;
-  int degree;                       // N >= 0: 0 of a vertex at rest
-  double unit = 1;                  // [s]
-  int dimension = 3;                // 1 to 3: the others are 0
-  const double* weights = nullptr;  // null: 1
-};
 
 /// Memory for the search: one for each thread, reused from stencil to stencil, so that nothing is allocated but where the
 /// degree grows.

@@ -11,6 +11,7 @@
 // Broad phase: an R-tree of boxes about the tracks (Boost.Geometry).
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "jetlag/contact/stencil.hpp"
@@ -29,9 +30,17 @@ class Candidates {
   /// What is known of the motion no longer holds.
   void forget() { is_known_ = false; }
 
-  /// Of a step of h [s]: how much of it the list holds for, > 0. Whether it is another list: `looks` grows. Series that are not
-  /// finite are no matter of this one: then all of it. whole: all of it in any case, however long the list becomes.
-  double cover(const PositionSeries& position, double h, bool whole = false);
+  /// Of a step of h [s] of all: how much of it the list holds for, > 0. Whether it is another list: `looks` grows. Series that
+  /// are not finite are no matter of this one: then all of it. whole: all of it in any case, however long the list becomes.
+  double cover(const MotionAhead& motion, double h, bool whole = false);
+
+  /// Some of the particles, each with a clock of its own, have new series: whether it is another list. It holds up to until().
+  bool cover(const MotionAhead& motion, std::span<const int> updated);
+  double until() const { return until_; }  // [s]
+
+  /// The time [s] up to which the features of a stencil are farther apart than reach [m], seen from tracks and rooms; -infinity
+  /// where these do not tell. Of a list that holds.
+  double apart_until(const Stencil& stencil, double now, double reach) const;
 
   /// Whether the series of the last call, in its step, were finite.
   bool are_finite() const { return are_finite_; }
@@ -39,9 +48,8 @@ class Candidates {
   /// Ascending.
   const std::vector<Stencil>& list() const { return list_; }
 
-  /// How far vertex i of the surface's vertices() may be from the straight line that begins with its velocity, within the step
-  /// of the last call [m].
-  double curve(int particle) const { return curve_[place_[particle]]; }
+  /// Whether a particle is a vertex of the surface.
+  bool has(int particle) const { return place_[particle] >= 0; }
 
   /// How often the surface has been looked at.
   std::uint64_t looks() const { return looks_; }
@@ -53,9 +61,9 @@ class Candidates {
     double x[3] = {}, v[3] = {};  // [m], [m/s]
     double room = 0;              // [m]
   };
-  bool holds(const PositionSeries& position, double h) const;
-  bool find_curves(const PositionSeries& position, double h);
-  void look(const PositionSeries& position, double h, bool whole);
+  void find_curve(std::size_t p, const PathView& path, double h);
+  bool stays(std::size_t p, const PathView& path, double now, double h) const;
+  void look(const MotionAhead& motion, bool whole);
   bool find(double horizon, std::size_t most);
 
   Surface surface_;
@@ -70,7 +78,7 @@ class Candidates {
   double drift_[3] = {};          // mean velocity [m/s]
   double room_;                   // [m], beyond the curves of a step
   std::vector<Track> tracks_;
-  std::vector<double> curve_;
+  std::vector<double> curve_;  // how far each vertex leaves a straight line in its step, at most [m]
   std::vector<Stencil> list_;
   std::uint64_t looks_ = 0;
 };

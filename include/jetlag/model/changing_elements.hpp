@@ -9,16 +9,20 @@
 //     up_to_change   how far a step may go with them, seen from the series of the positions
 //     take           how far it goes
 //
+// Where particles have clocks of their own, `change` takes the place of begin, and `find_changes` that of up_to_change.
+//
 // A method that does not follow them refuses such a system: Model's constructor does.
 
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "jetlag/base/outcome.hpp"
 #include "jetlag/model/model.hpp"
+#include "jetlag/model/path_view.hpp"
 
 namespace jetlag {
 
@@ -34,6 +38,53 @@ struct PositionSeries {
   const double* coefficient(int k, int particle) const {
     return first + k * next_order + particle * next_particle;
   }
+};
+
+/// Where particles go from a time on, each on its own series and for as long as it stays on that.
+class MotionAhead {
+ public:
+  explicit MotionAhead(double time) : time_(time) {}
+  virtual ~MotionAhead() = default;
+
+  double time() const { return time_; }  // [s]
+  /// About that time. A view of what lives as long as this.
+  virtual PathView path(int particle) const = 0;
+  /// What is left of the step that it is in, or is about to begin [s]; infinity of fixed ones.
+  virtual double left(int particle) const = 0;
+
+ protected:
+  void set_time(double time) { time_ = time; }
+
+ private:
+  double time_;
+};
+
+/// All on one clock.
+class SeriesAhead final : public MotionAhead {
+ public:
+  SeriesAhead(const PositionSeries& series, int dimension, double h)
+      : MotionAhead(series.time), series_(series), dimension_(dimension), h_(h) {}
+
+  PathView path(int particle) const override {
+    return {series_.coefficient(0, particle),
+            static_cast<std::ptrdiff_t>(series_.next_order),
+            series_.degree,
+            series_.unit,
+            dimension_,
+            series_.weights};
+  }
+  double left(int) const override { return h_; }
+
+ private:
+  PositionSeries series_;
+  int dimension_;
+  double h_;
+};
+
+/// A particle that may not stay on its series so long [s].
+struct ShorterStep {
+  int particle;
+  double h;
 };
 
 /// One motion, and which elements it meets.
@@ -56,6 +107,23 @@ class ElementsAlong {
 
   /// The step that was looked at last is taken as far as h [s], to these positions.
   virtual void take(double h, const Coordinates<double>& position) = 0;
+
+  // Of particles with clocks of their own; begin as above.
+
+  virtual bool follows_clocks() const { return false; }
+
+  /// Some are about to begin new steps: elements may change all of whose moving particles are among them. Moves `model`;
+  /// whether they are others than before.
+  virtual bool change(const MotionAhead&, std::span<const int> /*due*/, Model<double>& /*model*/) {
+    return false;
+  }
+
+  /// They have new series: adds the particles that may not stay on theirs, with how long they may. False: `report` says why
+  /// the motion cannot go on.
+  virtual bool find_changes(const MotionAhead&, std::span<const int> /*updated*/,
+                            std::vector<ShorterStep>& /*shorter*/, Report& /*report*/) {
+    return true;
+  }
 
   virtual std::unique_ptr<ElementsAlong> clone() const = 0;
 };
@@ -87,6 +155,10 @@ class ModelAlong {
   double up_to_change(const PositionSeries& position, double h, Report& report);
   bool is_safe(const PositionSeries& position, double h, bool is_given, Report& report);
   void take(double h, const Coordinates<double>& position);
+  bool follow_clocks() const;
+  bool change(const MotionAhead& motion, std::span<const int> due);
+  bool find_changes(const MotionAhead& motion, std::span<const int> updated,
+                    std::vector<ShorterStep>& shorter, Report& report);
 
  private:
   Model<double> model_;

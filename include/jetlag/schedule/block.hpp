@@ -51,6 +51,7 @@ class BlockSteps final : public ParticleClocks {
   std::int64_t step_of(int particle) const override;
 
   int lowest_from(int level) const;
+  const std::vector<int>& due_from(int level);
   Group& group_from(int level);
   bool choose_levels(const std::vector<int>& updated, std::int64_t now, Report& report);
   void limit_differences(const std::vector<int>& updated);

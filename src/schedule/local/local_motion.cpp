@@ -13,22 +13,28 @@
 
 namespace jetlag {
 
-LocalMotion::LocalMotion(const Model<double>& model, const TruncationLaw& law, const ClockOptions& options)
+LocalMotion::LocalMotion(ModelAlong along, const TruncationLaw& law, const ClockOptions& options)
     : options_(options),
       stops_(law, options.draws, options.seed),
-      dimension_(model.dimension()),
+      dimension_(along.model().dimension()),
       stride_(padded(dimension_)),
       order_(order_needed(law.max_degree(), options.velocity)),
       size_(static_cast<std::size_t>(order_ + 1) * stride_),
-      model_(model),
-      all_(model, std::max(order_, 2), kernels<double>(), Workers(options.threads)),
-      places_(model.particles(), -1),
-      to_kinks_(model),
+      along_(std::move(along)),
+      all_(model(), std::max(order_, 2), kernels<double>(), Workers(options.threads)),
+      places_(model().particles(), -1),
+      to_kinks_(model()),
       watches_(all_.has_conditions()),
-      to_change_(model.particles(), false),
-      instants_(model.particles(), 0) {
+      to_change_(model().particles(), false),
+      instants_(model().particles(), 0),
+      to_other_elements_(model().particles(), false) {
+  const Model<double>& model = this->model();
   require_positive("tolerance", options_.tolerance);
   require_positive("max_step", options_.max_step, true);
+  if (!along_.follow_clocks())
+    throw std::invalid_argument(
+        "schedule: the elements that come and go do not follow particles with clocks of their own; take "
+        "Lockstep");
   if (order_ < 2) throw std::invalid_argument("schedule: the degree must be at least 2");
   if (law.weighting() != Weighting::coupled_sum)
     throw std::invalid_argument("schedule: " + law.name() + " is for one clock: pieces are coupled sums");
@@ -74,13 +80,14 @@ bool LocalMotion::refresh_limits(Count now, Report& report) {
 }
 
 void LocalMotion::begin(const State<double>& state, const Ticks& ticks) {
+  begin_elements(state);
   all_.start(state);  // throws what is to be thrown
   if (meter_) {
-    require_damping(model_, state);
-    meter_.emplace(model_);
-    damping_meter_.emplace(model_);
+    require_damping(model(), state);
+    meter_.emplace(model());
+    damping_meter_.emplace(model());
     const std::vector<double> frequencies = meter_->of_particles(state);
-    if (frequencies.empty()) require_finite_tangents(model_, state);  // says which is not
+    if (frequencies.empty()) require_finite_tangents(model(), state);  // says which is not
     limit_steps(frequencies, damping_meter_->of_particles(state));
     next_limits_ = work_.updates + Courant::usual_refresh * moving_.size();
   }

@@ -17,6 +17,7 @@
 #include "jetlag/control/courant.hpp"
 #include "jetlag/control/last_two.hpp"
 #include "jetlag/control/to_kinks.hpp"
+#include "jetlag/model/changing_elements.hpp"
 #include "jetlag/motion/expansion.hpp"
 #include "jetlag/motion/partial_expansion.hpp"
 #include "jetlag/motion/piece.hpp"
@@ -26,13 +27,18 @@
 
 namespace jetlag {
 
+class SeriesNow;
+
 class LocalMotion {
  public:
   using Count = Ticks::Count;
 
-  LocalMotion(const Model<double>& model, const TruncationLaw& law, const ClockOptions& options);
+  LocalMotion(ModelAlong along, const TruncationLaw& law, const ClockOptions& options);
 
-  const Model<double>& model() const { return model_; }
+  ~LocalMotion();
+
+  /// With the elements that there are now.
+  const Model<double>& model() const { return along_.model(); }
   const std::vector<int>& moving() const { return moving_; }
   const ClockOptions& options() const { return options_; }
   /// The highest one of the law.
@@ -44,8 +50,11 @@ class LocalMotion {
   const Ticks& ticks() const { return ticks_; }
 
   /// A place for groups that do not change.
-  PartialExpansion group() const { return PartialExpansion(model_, order_); }
+  PartialExpansion group() const { return PartialExpansion(model(), order_); }
   std::vector<int>& places() { return places_; }
+
+  /// Elements that come and go, of particles that are about to be updated: whether the model is another. Groups then move to it.
+  bool change_elements(Count now, std::span<const int> due);
 
   /// New series for the particles of a group, expanded together about a tick, or for all. On failure nothing changes,
   /// and the report says where.
@@ -61,7 +70,7 @@ class LocalMotion {
   int level_of(int particle, int coarsest);
 
   /// Shortens steps that particles are about to take where a kink of a force lies within them, or the change of a choice that
-  /// a force makes. They come in order and have just been updated; step_of(i): the step [ticks] of any particle from where it
+  /// a force makes, or one of the elements that come and go. They come in order and have just been updated; step_of(i): the step [ticks] of any particle from where it
   /// began. `shortened` gets them, and those that were to go farther in a step that has begun before.
   template <class StepOf>
   void up_to_kinks(Count now, std::span<const int> particles, const StepOf& step_of,
@@ -78,7 +87,12 @@ class LocalMotion {
     if (watches_)
       up_to_changes(
           now, particles, [&](int i) { return ticks_.seconds(begin_[i] + step_of(i) - now); }, shortened);
+    if (!along_.none())
+      up_to_other_elements(
+          now, particles, [&](int i) { return ticks_.seconds(begin_[i] + step_of(i) - now); }, shortened);
   }
+  /// Why the elements that come and go let the motion not go on; success: they do.
+  const Report& elements() const { return elements_report_; }
   /// A particle whose choices have changed 100 times in a row with next to no time in between; -1: none.
   int sliding() const { return sliding_; }
 
@@ -92,6 +106,7 @@ class LocalMotion {
   void doubt(int particle) {
     if (!to_kinks_.none()) to_kinks_.kinks().doubt(particle);
     if (watches_) to_change_[particle] = true;
+    if (!along_.none()) to_other_elements_[particle] = true;
     natural_[particle] = step_of(particle);
   }
 
@@ -118,6 +133,10 @@ class LocalMotion {
   void count_wake_up() { ++work_.wake_ups; }
   int degree_of(int particle) const { return degree_[particle]; }
 
+  /// What others are told of a particle: coefficients 0 .. degree() of its series with the weights of its degree, `stride` numbers each.
+  void told(int particle, double* to) const;
+  std::size_t told_size() const { return size_; }
+
   /// The series of a particle, shape (orders, padded dimension), and its sums s [s] after it began; v may be null.
   const double* series(std::size_t particle) const { return series_.data() + particle * size_; }
   void evaluate(int particle, double s, double* x, double* v) const {
@@ -143,9 +162,12 @@ class LocalMotion {
   void up_to_changes(Count now, std::span<const int> particles, const std::function<double(int)>& left,
                      std::vector<Kinks::Step>& shortened);
   double beyond_change(std::span<const int> particles, Count now) const;
+  void up_to_other_elements(Count now, std::span<const int> particles, const std::function<double(int)>& left,
+                            std::vector<Kinks::Step>& shortened);
   bool in_doubt(int particle) const {
     return (!to_kinks_.none() && to_kinks_.kinks().in_doubt(particle)) || (watches_ && to_change_[particle]);
   }
+  void begin_elements(const State<double>& state);
   void set_ticks(const Ticks& ticks);
   template <class Since>
   State<double> state_at(double t, const Since& since) const {
@@ -174,7 +196,7 @@ class LocalMotion {
   Stops stops_;
   int dimension_, stride_, order_;
   std::size_t size_;  // numbers in the series of a particle
-  Model<double> model_;
+  ModelAlong along_;
   Expansion<double> all_;
   std::vector<int> moving_, places_;
   std::vector<double> longest_;  // step of each particle [s]
@@ -197,7 +219,11 @@ class LocalMotion {
   std::vector<bool> to_change_;          // whether the step of a particle ends at the change of a choice
   std::vector<int> instants_;            // how many of these in a row had next to no length
   int sliding_ = -1;
-  std::vector<double> natural_;  // step [s] that the series of a particle in doubt asks for
+  Report elements_report_;
+  std::unique_ptr<SeriesNow> now_;       // room to look at elements that come and go
+  std::vector<ShorterStep> shorter_;     // likewise
+  std::vector<bool> to_other_elements_;  // whether the step of a particle ends where elements change
+  std::vector<double> natural_;          // step [s] that the series of a particle in doubt asks for
   std::vector<int> former_;
   std::vector<Count> former_begin_;
   std::vector<int> former_degree_;

@@ -86,13 +86,13 @@ void LocalMotion::up_to_changes(Count now, std::span<const int> particles,
   const auto horizon = [&](std::span<const int> rows) {
     double most = 0;
     for (int i : rows)
-      if (!model_.fixed()[i]) most = std::max(most, left(i));
+      if (!model().fixed()[i]) most = std::max(most, left(i));
     return most;
   };
   const auto found = [&](std::span<const int> rows, double s, bool is_change) {
     const double beyond = beyond_change(rows, now), h = is_change ? s + beyond : s;
     for (int i : rows)
-      if (!model_.fixed()[i] && h < left(i)) ends.push_back({i, h, is_change && h <= 0x1p12 * beyond});
+      if (!model().fixed()[i] && h < left(i)) ends.push_back({i, h, is_change && h <= 0x1p12 * beyond});
   };
   if (updated_)
     updated_->find_changes(order_, horizon, found);
@@ -122,9 +122,9 @@ void LocalMotion::remember(std::span<const int> particles) {
   former_degree_.clear();
   former_natural_.clear();
   former_series_.clear();
-  if (to_kinks_.none() && !watches_) return;
+  if (to_kinks_.none() && !watches_ && along_.none()) return;
   for (int i : particles) {
-    if (!in_doubt(i)) continue;
+    if (!in_doubt(i) && !to_other_elements_[i]) continue;
     former_.push_back(i);
     former_begin_.push_back(begin_[i]);
     former_degree_.push_back(degree_[i]);

@@ -28,6 +28,12 @@ void LocalMotion::told(int particle, double* to, std::size_t next_order) const {
       to[n * next_order + d] = n <= degree_[particle] ? weights[n] * c[n * stride + d] : 0.0;
 }
 
+void LocalMotion::told(int particle, double* to) const {
+  if (stride_ == 1) return told<1>(particle, to, 1);
+  if (stride_ == 2) return told<2>(particle, to, 2);
+  told<4>(particle, to, 4);
+}
+
 bool LocalMotion::finite_series(const double* c, int particle, Count now, Report& report) const {
   for (std::size_t i = 0; i < size_; ++i) {
     if (std::isfinite(c[i])) continue;

@@ -154,6 +154,7 @@ MethodRecord block() {
                  {"13.3, 11.4, 11.4, 10.7", "measured: times less work at degrees 4, 8, 12, 16",
                   "StiffSpot.CostsBlockStepsATenthOfLockstep", "schedule/stiff_chain_test.cpp"}},
       .threaded = true,
+      .follows_contacts = true,
       .named_by = "schedule.type",
       .own_schedule = read_block};
 }
@@ -183,6 +184,7 @@ MethodRecord asynchronous() {
                   "at most 5 times its error (measured: 1.07 and 1.00)",
                   "StiffSpot.CostsFreeClocksATwelfthOfTheUpdates", "schedule/stiff_chain_test.cpp"}},
       .threaded = true,
+      .follows_contacts = true,
       .named_by = "schedule.type",
       .own_schedule = read_asynchronous};
 }
