@@ -18,7 +18,7 @@ struct Shape {
   std::vector<std::array<int, 4>> tetrahedra;  // the inside
   std::vector<int> fixed;                      // without the vertices of obstacles
   int obstacles = 0;                           // so many particles, the last ones, are vertices of obstacles
-  std::vector<std::array<int, 2>> walls;       // edges of obstacles that are of no triangle
+  std::vector<std::array<int, 2>> walls{};     // edges of obstacles that are of no triangle
   std::array<int, 3> up{0, 1, 0};  // in space, the way up of a picture: one of the axes or its opposite
 };
 
