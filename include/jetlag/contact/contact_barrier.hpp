@@ -14,8 +14,9 @@
 //   - another region becomes the nearest: across such a switch the second derivative of the distance jumps;
 //   - a gap falls to half of what it was at the beginning of the step. No step is so long that it passes a barrier, however
 //     loose the tolerance.
-// Steps that are given do not end there: elements are those at the beginning of a step, and a step in which something passes
-// through something fails.
+// With a clock for each particle, the particles of a pair are due together where it changes.
+// Steps that are given do not end there: elements are those at the beginning of a step, and a step in which a gap changes by more
+// than half fails as `contradicted`. That nothing is passed does not make them accurate: they are to be short against a contact.
 //
 // Conserves energy, momentum, angular momentum.
 
