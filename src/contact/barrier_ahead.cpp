@@ -2,6 +2,7 @@
 // How far the pairs of a surface stay what they are.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 
@@ -78,14 +79,34 @@ double BarrierAlong::up_to_change(const PositionSeries& position, double h, Repo
   h = candidates_.cover(motion, h);
   if (!candidates_.are_finite()) return h;  // a matter of the method
   take_candidates();
-  for (Pair& pair : pairs_) {
-    h = up_to_change(pair, motion, h);
+  wake_pairs(position.time + h);
+  for (const int p : awake_) {
+    h = up_to_change(pairs_[p], motion, h);
     if (h > 0) continue;
-    report = underflow(pair, position.time);
+    report = underflow(pairs_[p], position.time);
     return 0.0;
   }
   if (contact_->record) foresee(motion, h);
   return h;
+}
+
+/// Those that tracks and rooms do not keep from turning on up to a time, and all that were awake before and still are to be.
+void BarrierAlong::wake_pairs(double end) {
+  constexpr auto later = std::greater<>();
+  std::erase_if(awake_, [&](int p) {
+    if (pairs_[p].is_on || !(end <= pairs_[p].safe_until)) return false;
+    asleep_.emplace_back(pairs_[p].safe_until, p);
+    std::ranges::push_heap(asleep_, later);
+    return true;
+  });
+  const auto before = static_cast<std::ptrdiff_t>(awake_.size());
+  for (; !asleep_.empty() && !(end <= asleep_.front().first); asleep_.pop_back()) {
+    awake_.push_back(asleep_.front().second);
+    std::ranges::pop_heap(asleep_, later);
+  }
+  if (before == std::ssize(awake_)) return;
+  std::sort(awake_.begin() + before, awake_.end());
+  std::inplace_merge(awake_.begin(), awake_.begin() + before, awake_.end());
 }
 
 Report BarrierAlong::underflow(const Pair& pair, double time) const {
@@ -193,7 +214,9 @@ bool BarrierAlong::is_safe(const PositionSeries& position, double h, bool is_giv
   if (candidates_.cover(motion, h, is_given) < h) return false;
   if (!candidates_.are_finite()) return true;
   take_candidates();
-  for (Pair& pair : pairs_) {
+  wake_pairs(position.time + h);
+  for (const int p : awake_) {
+    Pair& pair = pairs_[p];
     if (is_far(pair, position.time, h)) {
       pair.is_near = false;
       continue;

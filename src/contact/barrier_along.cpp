@@ -98,6 +98,9 @@ void BarrierAlong::take_candidates() {
   }
   pairs_ = std::move(pairs);
   first_of_.clear();
+  asleep_.clear();
+  awake_.resize(pairs_.size());
+  std::iota(awake_.begin(), awake_.end(), 0);
 }
 
 /// Of particles with clocks of their own.
@@ -154,8 +157,8 @@ bool BarrierAlong::update_noting(Pair& pair, const Places& x, Change change) {
 
 void BarrierAlong::take(double h, const Coordinates<double>& position) {
   const double reached = h * (1 + 1e-9) + rounding_of_time(time_);
-  for (Pair& pair : pairs_)
-    if (pair.is_near)
+  for (const int p : awake_)
+    if (Pair& pair = pairs_[p]; pair.is_near)
       update_noting(pair, vertices_at(pair.stencil, dimension_, [&](int i) { return position.row(i); }),
                     pair.change != Change::none && pair.time <= reached ? pair.change : Change::none);
   left_at_ = position;

@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "contact/region.hpp"
@@ -96,6 +97,7 @@ class BarrierAlong final : public ElementsAlong {
   double up_to_change(Pair& pair, const MotionAhead& motion, double h);
   double up_to_other_region(Pair& pair, const MotionAhead& motion, double h) const;
   bool is_far(Pair& pair, double now, double h) const;
+  void wake_pairs(double end);
   double gap_of(double distance) const { return distance - contact_->gap; }
   std::optional<double> first_approach(const Stencil& stencil, const MotionAhead& motion, double h,
                                        double reach);
@@ -111,6 +113,9 @@ class BarrierAlong final : public ElementsAlong {
   Candidates candidates_;
   std::uint64_t looks_ = 0;  // of the candidates, when the pairs were made
   std::vector<Pair> pairs_;  // ascending
+  std::vector<int>
+      awake_;  // on one clock, those of the last step that tracks and rooms do not keep apart; ascending
+  std::vector<std::pair<double, int>> asleep_;  // the others, a heap: until when [s], the first on top
   Approach approach_;
   Coordinates<double> left_at_;
   double time_ = 0;                       // at which the last step begins [s]

@@ -29,10 +29,11 @@ double distance_at(const Stencil& stencil, const MotionAhead& motion, double tim
 /// The smallest gap of a step that is at hand: at eighths of it, and at the lowest point of the parabola through the lowest one
 /// and those beside it. A step keeps half of a gap, so that most need not be looked at.
 void BarrierAlong::foresee(const MotionAhead& motion, double h) {
-  tested_ += pairs_.size();
+  tested_ += awake_.size();
   foreseen_ = {};
   const double smallest = contact_->record->smallest_gap.value;
-  for (const Pair& pair : pairs_) {
+  for (const int p : awake_) {
+    const Pair& pair = pairs_[p];
     if (!pair.is_on || !(gap_of(distance_at(pair.stencil, motion, 0)) < 2.1 * smallest)) continue;
     constexpr int parts = 8;
     std::array<double, parts + 1> gaps;
@@ -56,8 +57,13 @@ void BarrierAlong::record_changes() {
   record.crossings_tested += std::exchange(searched_, 0);
   record.looks += candidates_.looks() - std::exchange(looks_recorded_, candidates_.looks());
   std::vector<Stencil> active;
-  for (const Pair& pair : pairs_)
+  const auto take = [&](const Pair& pair) {
     if (pair.is_on) active.push_back(pair.stencil);
+  };
+  if (first_of_.empty())  // one clock
+    for (const int p : awake_) take(pairs_[p]);
+  else
+    std::ranges::for_each(pairs_, take);
   const auto without = [](const std::vector<Stencil>& all, const std::vector<Stencil>& others) {
     std::vector<Stencil> rest;
     std::ranges::set_difference(all, others, std::back_inserter(rest));

@@ -29,6 +29,8 @@ Box hull(const Box& a, const Box& b) {
   return both;
 }
 
+constexpr double steps_ahead = 32;  // that tracks are to last
+
 Eigen::Vector3d velocity_of(const PathView& path) {
   Eigen::Vector3d v = Eigen::Vector3d::Zero();
   if (path.degree < 1) return v;
@@ -50,7 +52,6 @@ Candidates::Candidates(Surface surface, const Model<double>& model, double reach
       reach_(reach),
       fixed_(model.fixed()),
       place_(model.particles(), -1),
-      room_(reach / 2),
       tracks_(surface_.vertices().size()),
       curve_(tracks_.size(), 0) {
   const auto& vertices = surface_.vertices();
@@ -65,6 +66,7 @@ Candidates::Candidates(Surface surface, const Model<double>& model, double reach
 }
 
 double Candidates::cover(const MotionAhead& motion, double h, bool whole) {
+  ++covered_;
   const auto& vertices = surface_.vertices();
   are_finite_ = true;
   for (std::size_t p = 0; p < vertices.size(); ++p) find_curve(p, motion.path(vertices[p]), h);
@@ -122,10 +124,22 @@ bool Candidates::stays(std::size_t p, const PathView& path, double now, double h
   return std::sqrt(off) + std::sqrt(change) * h + curve_[p] <= track.room;
 }
 
-/// New tracks and rooms. They are to last for eight steps; where that makes too many candidates, for less, and steps become
+/// Room beyond the curves of a step: a part of the edges, which are near each other in any case; twice as much where it has
+/// lasted for few steps, half where for many.
+void Candidates::choose_room() {
+  if (looks_ > 0 && covered_ < 16) part_ = std::min(2 * part_, 0.4);
+  if (covered_ > 128) part_ = std::max(part_ / 2, 0.01);
+  covered_ = 0;
+  double length = 0;
+  const auto at = [&](int i) { return Eigen::Map<const Eigen::Vector3d>(tracks_[place_[i]].x); };
+  for (const auto& [a, b] : surface_.edges())
+    length += (at(a) - at(b)).norm() / static_cast<double>(surface_.edges().size());
+  room_ = std::max(reach_ / 2, part_ * length);
+}
+
+/// New tracks and rooms. They are to last for some steps; where that makes too many candidates, for less, and steps become
 /// shorter if they must.
 void Candidates::look(const MotionAhead& motion, bool whole) {
-  ++looks_;
   const auto& vertices = surface_.vertices();
   std::fill_n(drift_, 3, 0.0);
   double h = 0;
@@ -138,13 +152,15 @@ void Candidates::look(const MotionAhead& motion, bool whole) {
       track.v[d] = velocity[d];
       drift_[d] += track.v[d] / static_cast<double>(tracks_.size());
     }
-    track.room = room_ + 2 * curve_[p];
     if (!fixed_[vertices[p]]) h = std::max(h, motion.left(vertices[p]));
   }
+  choose_room();
+  ++looks_;
+  for (std::size_t p = 0; p < tracks_.size(); ++p) tracks_[p].room = room_ + 2 * curve_[p];
   begin_ = motion.time();
   constexpr auto any = std::numeric_limits<std::size_t>::max();
   const std::size_t most = 64 + 24 * (surface_.edges().size() + surface_.vertices().size());
-  double horizon = 8 * h;
+  double horizon = steps_ahead * h;
   for (int attempt = 0; !find(horizon, attempt < 20 && !(whole && horizon <= h) ? most : any); ++attempt) {
     horizon = whole ? std::max(horizon / 4, h) : horizon / 4;
     for (std::size_t p = 0; p < tracks_.size(); ++p) {

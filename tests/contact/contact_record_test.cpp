@@ -10,9 +10,12 @@
 #include "jetlag/contact/contact_barrier.hpp"
 #include "jetlag/control/fixed_step.hpp"
 #include "jetlag/control/jorba_zou.hpp"
+#include "jetlag/control/last_two.hpp"
+#include "jetlag/forces/spring.hpp"
 #include "jetlag/integrators/taylor.hpp"
 #include "jetlag/model/energy.hpp"
 #include "jetlag/schedule/lockstep.hpp"
+#include "support/random.hpp"
 
 namespace jetlag::testing::contact_record_test {
 namespace {
@@ -79,6 +82,41 @@ TEST(ContactRecord, IsOfStepsThatAreGivenToo) {
   EXPECT_NEAR(record.smallest_gap.value, .083066808164548, 1e-5);
   EXPECT_EQ(record.begun, 1u);
   EXPECT_EQ(record.ended, 1u);
+}
+
+/// A net of 12 x 12 masses whose triangles may touch each other, and do not.
+TEST(ContactRecord, OfWhatStaysApartIsNextToNothing) {
+  constexpr int n = 12;
+  System<double> system(3, std::vector<double>(n * n, 1.0));
+  State<double> state{0.0, Coordinates<double>(n * n, 3), Coordinates<double>(n * n, 3)};
+  const auto at = [](int i, int j) { return i * n + j; };
+  Uniform draw(1);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      state.position.row(at(i, j)) << i, j, 0.3 * std::sin(0.3 * i);
+      for (int d = 0; d < 3; ++d) state.velocity(at(i, j), d) = draw(-0.2, 0.2);
+    }
+  std::vector<std::array<int, 3>> triangles;
+  for (int i = 0; i + 1 < n; ++i)
+    for (int j = 0; j + 1 < n; ++j) {
+      triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  ContactBarrier contact{
+      .surface = Surface(triangles, {}, {}), .rest = state.position, .thickness = 0.05, .stiffness = 1000};
+  for (const auto& [a, b] : contact.surface.edges())
+    system.add<Spring>({{a, b}}, {{100.0, (state.position.row(a) - state.position.row(b)).norm()}});
+  contact.record = std::make_shared<ContactRecord>();
+  add(system, contact);
+  Lockstep lockstep(taylor(system, 12, std::make_unique<LastTwo>(1e-9)));
+  ASSERT_EQ(lockstep.run(state, 4.0, {}).outcome, Outcome::success);
+  const ContactRecord& record = *contact.record;
+  EXPECT_EQ(record.begun, 0u);
+  // Rooms grow until they last for 16 steps: four times, and some looks on the way. Features beside each other are some twenty
+  // pairs a vertex; tracks tell of most of them between looks.
+  EXPECT_LE(8 * record.looks, lockstep.work().steps);
+  EXPECT_LE(record.stencils_tested, 10 * lockstep.work().steps * n * n);
+  EXPECT_EQ(record.crossings_tested, 0u);
 }
 
 }  // namespace

@@ -63,6 +63,7 @@ class Candidates {
   };
   void find_curve(std::size_t p, const PathView& path, double h);
   bool stays(std::size_t p, const PathView& path, double now, double h) const;
+  void choose_room();
   void look(const MotionAhead& motion, bool whole);
   bool find(double horizon, std::size_t most);
 
@@ -70,13 +71,14 @@ class Candidates {
   int dimension_;
   double reach_;
   std::vector<bool> fixed_;
-  std::vector<int> place_;  // of a particle among the vertices; -1
-  std::vector<int> body_;   // of a vertex; empty: all may touch all
-  double length_ = 0;       // of edges, on average [m]
+  std::vector<int> place_;     // of a particle among the vertices; -1
+  std::vector<int> body_;      // of a vertex; empty: all may touch all
+  double part_ = 0.1;          // of the edges, that is room
+  std::uint64_t covered_ = 0;  // steps since the last look
   bool is_known_ = false, are_finite_ = true;
   double begin_ = 0, until_ = 0;  // [s]
   double drift_[3] = {};          // mean velocity [m/s]
-  double room_;                   // [m], beyond the curves of a step
+  double room_ = 0;               // [m], beyond the curves of a step
   std::vector<Track> tracks_;
   std::vector<double> curve_;  // how far each vertex leaves a straight line in its step, at most [m]
   std::vector<Stencil> list_;
