@@ -99,14 +99,12 @@ void BarrierAlong::wake_pairs(double end) {
     std::ranges::push_heap(asleep_, later);
     return true;
   });
-  const auto before = static_cast<std::ptrdiff_t>(awake_.size());
+  const std::size_t before = awake_.size();
   for (; !asleep_.empty() && !(end <= asleep_.front().first); asleep_.pop_back()) {
     awake_.push_back(asleep_.front().second);
     std::ranges::pop_heap(asleep_, later);
   }
-  if (before == std::ssize(awake_)) return;
-  std::sort(awake_.begin() + before, awake_.end());
-  std::inplace_merge(awake_.begin(), awake_.begin() + before, awake_.end());
+  if (awake_.size() > before) std::ranges::sort(awake_);
 }
 
 Report BarrierAlong::underflow(const Pair& pair, double time) const {
